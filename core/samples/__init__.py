@@ -1,0 +1,11 @@
+"""Samples on their way from the decoder to a fit.
+
+block
+    `Channel` and `SampleBlock`: what a decoder gives.
+accumulate
+    `Accumulator`: N seconds by the device's counter -> `Accumulation`.
+stillness
+    Has the head come to rest, did it move meanwhile.
+run
+    `Run`: the accumulated rows of one test, the input of every procedure.
+"""
