@@ -1,0 +1,11 @@
+"""From numbers to parameters with uncertainties.
+
+result
+    `FitResult`: values, covariance, residuals, chi-square, notes.
+linear
+    Weighted linear least squares of a `SensorModel`.
+variance
+    What the rows' variances are made of: accumulation, head or table setting, residual.
+quantiles
+    Student t, chi-square and F without loading scipy at start.
+"""

@@ -1,0 +1,36 @@
+"""Student t, chi-square and F.
+
+scipy.special costs a fifth of a second to import and is wanted only when data are processed, so
+it is imported at the first call.
+"""
+
+import math
+from functools import lru_cache
+
+
+@lru_cache(maxsize=256)
+def student_t(level: float, dof: float) -> float:
+    """Two-sided coverage factor at `level` for `dof` degrees of freedom (inf: normal).
+
+    No degrees of freedom give an infinite factor: such an estimate has no interval.
+    """
+    from scipy import special
+
+    if dof <= 0:
+        return math.inf
+    upper = 0.5 + level / 2.0
+    return float(special.ndtri(upper) if math.isinf(dof) else special.stdtrit(dof, upper))
+
+
+def chi2_sf(value: float, dof: float) -> float:
+    """Probability of a chi-square above `value`."""
+    from scipy import special
+
+    return float(special.chdtrc(dof, value))
+
+
+def f_sf(value: float, dof_numerator: float, dof_denominator: float) -> float:
+    """Probability of an F above `value`."""
+    from scipy import special
+
+    return float(special.fdtrc(dof_numerator, dof_denominator, value))

@@ -1,0 +1,112 @@
+"""The result of a fit: an object that says what it knows and what it doubts."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from core.arrays import FloatArray
+from core.errors import Note
+from core.fit.quantiles import chi2_sf, student_t
+from core.model.effect import Parameter
+
+
+@dataclass(frozen=True, slots=True)
+class LackOfFit:
+    """Test of the model against replicates (NIST/SEMATECH e-Handbook 4.4.4.6).
+
+    Parameters
+    ----------
+    pure_sd : standard deviation among replicates, output units
+    pure_dof : its degrees of freedom
+    statistic : F = mean square of the lack of fit over that of the pure error
+    p_value : probability of a larger F with a right model
+    """
+
+    pure_sd: float
+    pure_dof: int
+    statistic: float
+    p_value: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FitResult:
+    """Parameters of one sensor with their uncertainties.
+
+    Parameters
+    ----------
+    parameters : (p,) names, symbols and units
+    values : (p,) estimates
+    covariance : (p, p) all components of uncertainty, k = 1
+    t_dof : (p,) effective degrees of freedom of each standard uncertainty; inf when sigma is known
+    fitted, residuals : (m,) model output and measured minus model, output units
+    sigma : (m,) standard uncertainty of each row, output units
+    sigma_source : ``"known"`` (from the accumulations and stated inputs), ``"residual"`` (from the
+        scatter about the model) or ``"none"`` (no degrees of freedom, no uncertainty)
+    chi2, dof : sum of squared residuals over `sigma`, rows minus parameters
+    condition : condition number of the design with columns of unit length
+    lack_of_fit : the test against replicates, None without replicates
+    notes : every doubt, not the first
+    """
+
+    parameters: tuple[Parameter, ...]
+    values: FloatArray
+    covariance: FloatArray
+    t_dof: FloatArray
+    fitted: FloatArray
+    residuals: FloatArray
+    sigma: FloatArray
+    sigma_source: str
+    chi2: float
+    dof: int
+    condition: float
+    lack_of_fit: LackOfFit | None
+    notes: tuple[Note, ...]
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names (p,) of the parameters."""
+        return tuple(parameter.name for parameter in self.parameters)
+
+    @property
+    def stderr(self) -> FloatArray:
+        """Standard uncertainties (p,), k = 1."""
+        return np.sqrt(np.diag(self.covariance))
+
+    @property
+    def correlation(self) -> FloatArray:
+        """Correlation matrix (p, p)."""
+        u = self.stderr
+        return self.covariance / np.outer(u, u)
+
+    @property
+    def p_value(self) -> float:
+        """Probability of a larger chi-square with a right model; NaN unless sigma is known."""
+        if self.sigma_source != "known" or self.dof == 0:
+            return float("nan")
+        return chi2_sf(self.chi2, self.dof)
+
+    def expanded(self, level: float = 0.95) -> FloatArray:
+        """Half widths (p,) of the two-sided coverage intervals, by Student t."""
+        factors = np.array([student_t(level, float(dof)) for dof in self.t_dof])
+        return factors * self.stderr
+
+    def index(self, name: str) -> int:
+        """Place of a parameter.
+
+        Raises
+        ------
+        KeyError
+            The model has no such parameter.
+        """
+        try:
+            return self.names.index(name)
+        except ValueError:
+            raise KeyError(name) from None
+
+    def value(self, name: str) -> float:
+        """Estimate of one parameter."""
+        return float(self.values[self.index(name)])
+
+    def u(self, name: str) -> float:
+        """Standard uncertainty of one parameter."""
+        return float(self.stderr[self.index(name)])
