@@ -7,7 +7,13 @@ import numpy as np
 
 from core.arrays import FloatArray
 from core.errors import FitError
-from core.plans.orientation import LEVEL, BaseOrientation, earth_rate, specific_force
+from core.plans.orientation import (
+    LEVEL,
+    BaseOrientation,
+    case_from_base,
+    earth_rate,
+    specific_force_in_base,
+)
 from core.samples.run import Run
 
 
@@ -20,12 +26,14 @@ class Stimulus:
     a : (n, 3) specific force, m/s^2; +g on an axis that points up at rest (2.3)
     w : (n, 3) angular rate, deg/s
     da_dhead : (n, 3) change of `a` with the head angle, (m/s^2)/rad; zeros where there is no head
+    dw_drate : (n, 3) change of `w` with the set rate of the table; zeros where there is no table
     columns : further regressors, (n,) each, by the column names of a `Run`
     """
 
     a: FloatArray
     w: FloatArray
     da_dhead: FloatArray
+    dw_drate: FloatArray
     columns: Mapping[str, FloatArray] = field(default_factory=dict[str, FloatArray])
 
     def __len__(self) -> int:
@@ -52,6 +60,10 @@ class Stimulus:
         """The same with every head angle moved by a small angle."""
         return replace(self, a=self.a + self.da_dhead * head_rad)
 
+    def spun(self, rate_dps: float) -> "Stimulus":
+        """The same with every set rate of the table moved by a small rate."""
+        return replace(self, w=self.w + self.dw_drate * rate_dps)
+
 
 def stimulus_of(
     run: Run, g: float, *, latitude_deg: float | None = None, base: BaseOrientation = LEVEL
@@ -76,28 +88,25 @@ def stimulus_of(
     a = np.zeros((n, 3))
     derivative = np.zeros((n, 3))
     w = np.zeros((n, 3))
+    up = specific_force_in_base(g, base)
     for row, (mount, angle) in enumerate(zip(run.mount, run.head_deg, strict=True)):
         if not np.isfinite(angle):
             raise FitError(f"row {row + 1}: the head angle is missing")
         try:
-            a[row] = specific_force(mount, float(angle), g, base)
+            a[row] = case_from_base(mount, float(angle)) @ up
         except ValueError as error:
             raise FitError(f"row {row + 1}: {error}") from error
         # A first harmonic: half the difference a quarter turn away is the exact derivative.
-        ahead = specific_force(mount, float(angle) + 90.0, g, base)
-        behind = specific_force(mount, float(angle) - 90.0, g, base)
-        derivative[row] = (ahead - behind) / 2.0
+        ahead = case_from_base(mount, float(angle) + 90.0)
+        behind = case_from_base(mount, float(angle) - 90.0)
+        derivative[row] = (ahead - behind) @ up / 2.0
         if latitude_deg is not None:
             w[row] = earth_rate(mount, float(angle), latitude_deg, base)
-    if run.test == "rate_table":
-        derivative[:] = 0.0
-        axis = {"x": 0, "y": 1, "z": 2}
-        table = run.meta.get("table_axis", "z")
-        w[:, axis[str(table)]] += run.set_rate_dps
     return Stimulus(
         a=a,
         w=w,
         da_dhead=derivative,
+        dw_drate=np.zeros((n, 3)),
         columns={
             "head_deg": run.head_deg,
             "set_rate_dps": run.set_rate_dps,

@@ -19,10 +19,11 @@ mounts follow by the same rule (the head turns the same way, the axis along it i
 import math
 import re
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
-from core.arrays import FloatArray
+from core.arrays import FloatArray, frozen
 from core.units import ARCMIN_PER_DEG, EARTH_RATE_DPS, RAD_PER_DEG
 
 _MOUNT = re.compile(r"([XYZ])_(from|to)(?:@(-?\d+(?:\.\d*)?))?")
@@ -121,8 +122,9 @@ class BaseOrientation:
 LEVEL = BaseOrientation()
 
 
+@lru_cache(maxsize=4096)
 def case_from_base(mount: str, head_deg: float) -> FloatArray:
-    """Rotation (3, 3) whose rows are the case axes X, Y, Z in the base frame (s, l, v).
+    """Return the rotation (3, 3) whose rows are the case axes X, Y, Z in the base frame (s, l, v).
 
     Practicum, Tables 1.1 and 2.1: the columns of ``a`` there are this matrix times (0, 0, g).
     """
@@ -130,7 +132,7 @@ def case_from_base(mount: str, head_deg: float) -> FloatArray:
     angle = head_deg + parsed.reindex_deg
     if parsed.sense == "to":
         angle = -angle
-    return turn(parsed.axis, angle) @ np.array(_AT_ZERO[parsed.key], dtype=float)
+    return frozen(turn(parsed.axis, angle) @ np.array(_AT_ZERO[parsed.key], dtype=float))
 
 
 def tilter_rotation(psi_deg: float, theta_deg: float, gamma_deg: float) -> FloatArray:
@@ -142,12 +144,16 @@ def tilter_rotation(psi_deg: float, theta_deg: float, gamma_deg: float) -> Float
     return turn("Y", -gamma_deg) @ turn("X", -theta_deg) @ turn("Z", -psi_deg)
 
 
+def specific_force_in_base(g: float, base: BaseOrientation = LEVEL) -> FloatArray:
+    """Specific force (3,) on the base axes (s, l, v) at rest, m/s^2: a = -g (2.3)."""
+    return base.base_from_level() @ np.array([0.0, 0.0, g])
+
+
 def specific_force(
     mount: str, head_deg: float, g: float, base: BaseOrientation = LEVEL
 ) -> FloatArray:
     """Specific force (3,) on the case axes at rest, m/s^2: +g on an axis that points up (2.3)."""
-    up = base.base_from_level() @ np.array([0.0, 0.0, g])
-    return case_from_base(mount, head_deg) @ up
+    return case_from_base(mount, head_deg) @ specific_force_in_base(g, base)
 
 
 def earth_rate(
