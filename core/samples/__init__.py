@@ -2,7 +2,7 @@
 
 block
     `Channel` and `SampleBlock`: what a decoder gives.
-accumulate
+accumulate, mean_error
     `Accumulator`: N seconds by the device's counter -> `Accumulation`.
 stillness
     Has the head come to rest, did it move meanwhile.

@@ -47,3 +47,8 @@ class SampleBlock:
             if channel.role == role:
                 return self.data[:, position]
         return None
+
+
+def chosen_columns(channels: tuple[Channel, ...], role: str) -> list[int]:
+    """Places of the channels whose role starts with `role`."""
+    return [place for place, channel in enumerate(channels) if channel.role.startswith(role)]

@@ -107,14 +107,14 @@ class Run:
 
     def rows(self, chosen: Sequence[int] | IntArray) -> "Run":
         """The run with only these rows, in this order."""
-        index = np.asarray(chosen, dtype=np.int64)
+        index: IntArray = np.asarray(chosen, dtype=np.int64)
         return replace(
             self,
             y=self.y[index],
             y_se=self.y_se[index],
             run=self.run[index],
             order=self.order[index],
-            mount=tuple(self.mount[i] for i in index),
+            mount=tuple(self.mount[int(i)] for i in index),
             head_deg=self.head_deg[index],
             set_rate_dps=self.set_rate_dps[index],
             temperature_c=self.temperature_c[index],

@@ -1,0 +1,13 @@
+"""One file a method of the sources, and the walk through a plan that all of them share.
+
+measuring
+    `Measuring`: choose, settle, accumulate, check, accept; by hand or hands-free.
+recognise
+    Does the mean fit the chosen position, or another one.
+calibration
+    `Calibration`: what a procedure hands to exports, reports and other procedures.
+dividing_head
+    Accelerometers on the dividing head: (1.8), (2.4) and any other set of positions.
+attitude
+    Pitch and roll from specific force: (2.9), (2.10) in well-conditioned forms.
+"""

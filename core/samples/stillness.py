@@ -1,0 +1,97 @@
+"""Has the head come to rest; did it move meanwhile.
+
+Both questions are asked without knowing the sensor's scale: the spread between the means of
+quarters of a window is compared with the noise inside the quarters.
+"""
+
+from collections import deque
+
+import numpy as np
+
+from core.arrays import BoolArray, FloatArray
+from core.samples.block import SampleBlock, chosen_columns
+from core.samples.mean_error import standard_error
+
+_QUARTERS = 4
+_REST_LIMIT = 9.0
+"""Range of the quarter means over the white-noise error of one: chance alone gives 9 about once
+in 1e9; the margin is for coloured noise."""
+_MOVED_LIMIT = 10.0
+
+
+class StillnessDetector:
+    """Tells from the stream whether the unit is at rest.
+
+    Parameters
+    ----------
+    rate : samples per second
+    watched : start of the role of the channels that show motion, e.g. ``"acc."``
+    window_s : how much of the past is judged
+    """
+
+    def __init__(self, rate: float, watched: str, window_s: float = 1.0) -> None:
+        self._watched = watched
+        self._wanted = max(round(rate * window_s), 2 * _QUARTERS)
+        self._blocks: deque[FloatArray] = deque()
+        self._count = 0
+
+    def feed(self, block: SampleBlock) -> None:
+        """Take a block; a gap starts the window anew."""
+        columns = chosen_columns(block.channels, self._watched)
+        if len(block.index) > 1 and np.any(np.diff(block.index) > 1):
+            self.reset()
+        self._blocks.append(block.data[:, columns])
+        self._count += len(block.index)
+        while self._count - len(self._blocks[0]) >= self._wanted:
+            self._count -= len(self._blocks.popleft())
+
+    def reset(self) -> None:
+        """Forget the past."""
+        self._blocks.clear()
+        self._count = 0
+
+    @property
+    def full(self) -> bool:
+        """Whether enough has come to judge."""
+        return self._count >= self._wanted
+
+    @property
+    def at_rest(self) -> bool:
+        """Whether the whole window shows no motion; False until the window is full."""
+        if not self.full:
+            return False
+        window = np.concatenate(self._blocks)[-self._wanted :]
+        return bool(np.all(_spread(window) < _REST_LIMIT))
+
+    def mean(self) -> FloatArray:
+        """Mean (m,) of the watched channels over the window."""
+        return np.concatenate(self._blocks)[-self._wanted :].mean(axis=0)
+
+
+def _quarters(window: FloatArray) -> FloatArray:
+    n = len(window) // _QUARTERS
+    return window[: n * _QUARTERS].reshape(_QUARTERS, n, -1)
+
+
+def _spread(window: FloatArray) -> FloatArray:
+    """Range of the quarter means over the white-noise error of one quarter's mean, (m,)."""
+    quarters = _quarters(window)
+    noise = np.median(quarters.std(axis=1), axis=0) / np.sqrt(quarters.shape[1])
+    span = np.ptp(quarters.mean(axis=1), axis=0)
+    return np.where(span > 0, span / np.maximum(noise, np.finfo(float).tiny), 0.0)
+
+
+def moved(data: FloatArray) -> BoolArray:
+    """Which of the channels (m,) changed during an accumulation by more than their noise.
+
+    Parameters
+    ----------
+    data : (n, m) samples of the watched channels, n >= 64 for an answer other than no
+    """
+    quarters = _quarters(data)
+    if quarters.shape[1] < 16:
+        return np.zeros(data.shape[1], dtype=bool)
+    errors = np.array([standard_error(q, [False] * q.shape[1])[0] for q in quarters])
+    span = np.ptp(quarters.mean(axis=1), axis=0)
+    noise = np.maximum(np.median(errors, axis=0), np.finfo(float).tiny)
+    return np.greater(span, _MOVED_LIMIT * noise)
