@@ -14,7 +14,7 @@ from core.arrays import FloatArray, frozen
 from core.errors import FitError, Note, RankDeficient, Severity
 from core.fit.quantiles import chi2_sf, f_sf
 from core.fit.result import FitResult, LackOfFit
-from core.fit.variance import RowVariance, setting_variance
+from core.fit.variance import RowVariance, setting_errors
 from core.model.sensor_model import SensorModel
 from core.model.stimulus import Stimulus
 from core.samples.run import Conditions
@@ -73,17 +73,22 @@ def fit_sensor(
     design = model.design(stimulus)
     _check(model, design, rows)
     n = len(rows.y)
+    settings = np.zeros((2, n))
     parts = RowVariance(rows.se**2, np.zeros(n), rows.se_dof)
     # The setting error's effect depends on the slope that is being fitted: two rounds settle it
     # to parts in 1e6, since the slope of the first is already right to parts in 1e3.
     variance = _row_variance(design, rows.y, parts)
     solution = _Solution.of(design, rows.y, variance)
     for _ in range(2 if _has_setting_error(conditions) else 0):
-        setting = setting_variance(model, solution.values, stimulus, conditions)
-        parts = RowVariance(rows.se**2, setting, rows.se_dof)
+        settings = setting_errors(model, solution.values, stimulus, conditions)
+        parts = RowVariance(rows.se**2, (settings**2).sum(axis=0), rows.se_dof)
         variance = _row_variance(design, rows.y, parts)
         solution = _Solution.of(design, rows.y, variance)
-    return _result(model, stimulus, rows, conditions, parts, variance, solution)
+    shared = np.hstack(
+        [solution.inverse * error for error in settings]
+        + [_gravity_response(model, stimulus, solution, conditions)]
+    )
+    return _result(model, stimulus, rows, shared, parts, variance, solution)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -172,7 +177,7 @@ def _result(
     model: SensorModel,
     stimulus: Stimulus,
     rows: Rows,
-    conditions: Conditions,
+    shared: FloatArray,
     parts: RowVariance,
     variance: FloatArray,
     solution: _Solution,
@@ -203,11 +208,12 @@ def _result(
         notes.append(_no_uncertainty(n))
     if lack is not None and lack.p_value < REJECTED:
         notes.append(_lack_note(lack))
-    covariance = covariance + _gravity_part(model, stimulus, solution, conditions)
+    covariance = covariance + np.outer(shared[:, -1], shared[:, -1])
     return FitResult(
         parameters=model.parameters,
         values=frozen(solution.values),
         covariance=frozen(covariance),
+        shared=frozen(shared),
         t_dof=frozen(t_dof),
         fitted=frozen(fitted),
         residuals=frozen(residuals),
@@ -253,17 +259,16 @@ def _lack_of_fit(design: FloatArray, y: FloatArray, residuals: FloatArray) -> La
     )
 
 
-def _gravity_part(
+def _gravity_response(
     model: SensorModel, stimulus: Stimulus, solution: _Solution, conditions: Conditions
 ) -> FloatArray:
-    """Covariance (p, p) that the uncertainty of g brings, common to all rows."""
+    """Change (p, 1) of the values by one standard deviation of g, common to all rows."""
     if not conditions.u_g_mps2 > 0:
-        return np.zeros((len(solution.values),) * 2)
+        return np.zeros((len(solution.values), 1))
     step = 1e-6
     change = model.design(stimulus.scaled_force(1.0 + step)) - model.design(stimulus)
     slope = -solution.inverse @ (change @ solution.values) / step
-    u = conditions.u_g_mps2 / conditions.g_mps2
-    return np.outer(slope, slope) * u**2
+    return (slope * conditions.u_g_mps2 / conditions.g_mps2)[:, None]
 
 
 def _no_uncertainty(n: int) -> Note:

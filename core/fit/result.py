@@ -37,6 +37,9 @@ class FitResult:
     parameters : (p,) names, symbols and units
     values : (p,) estimates
     covariance : (p, p) all components of uncertainty, k = 1
+    shared : (p, q) response of the values to one standard deviation of each error that sensors
+        measured together have in common (head settings, table settings, g), part of `covariance`;
+        the covariance between two sensors is the product of their `shared`
     t_dof : (p,) effective degrees of freedom of each standard uncertainty; inf when sigma is known
     fitted, residuals : (m,) model output and measured minus model, output units
     sigma : (m,) standard uncertainty of each row, output units
@@ -51,6 +54,7 @@ class FitResult:
     parameters: tuple[Parameter, ...]
     values: FloatArray
     covariance: FloatArray
+    shared: FloatArray
     t_dof: FloatArray
     fitted: FloatArray
     residuals: FloatArray

@@ -37,27 +37,32 @@ class RowVariance:
         return bool(np.all(np.isfinite(self.accumulation)) and np.all(self.accumulation > 0))
 
 
-def setting_variance(
+def setting_errors(
     model: SensorModel, values: FloatArray, stimulus: Stimulus, conditions: Conditions
 ) -> FloatArray:
-    """Effective variance (n,) of the head's angle error and the table's rate error.
+    """Change of each row's output by one standard deviation of its own setting error, signed.
 
     The slope is that of the model at `values`, so a fit calls this again after each solution.
+
+    Returns
+    -------
+    (2, n) : by the head's angle error and by the table's rate error, output units. Other channels
+        measured at the same time have the same errors, which correlates their parameters.
     """
-    variance = np.zeros(len(stimulus))
+    errors = np.zeros((2, len(stimulus)))
     u_head = conditions.head_u_arcsec * RAD_PER_ARCSEC
     if u_head > 0:
         step = 1e-4
         ahead = model.predict(stimulus.turned(step), values)
         behind = model.predict(stimulus.turned(-step), values)
-        variance += (u_head * (ahead - behind) / (2.0 * step)) ** 2
+        errors[0] = u_head * (ahead - behind) / (2.0 * step)
     u_rate = rate_uncertainty(stimulus, conditions)
     if np.any(u_rate > 0):
         step = 1e-3
         ahead = model.predict(stimulus.spun(step), values)
         behind = model.predict(stimulus.spun(-step), values)
-        variance += (u_rate * (ahead - behind) / (2.0 * step)) ** 2
-    return variance
+        errors[1] = u_rate * (ahead - behind) / (2.0 * step)
+    return errors
 
 
 def rate_uncertainty(stimulus: Stimulus, conditions: Conditions) -> FloatArray:
