@@ -4,8 +4,8 @@ measuring
     `Measuring`: choose, settle, accumulate, check, accept; by hand or hands-free.
 recognise
     Does the mean fit the chosen position, or another one.
-calibration
-    `Calibration`: what a procedure hands to exports, reports and other procedures.
+calibration, triad
+    `Calibration`: what a procedure hands to exports and reports; three sensors as one `Triad`.
 dividing_head
     Accelerometers on the dividing head: (1.8), (2.4) and any other set of positions.
 attitude

@@ -3,7 +3,7 @@
 import numpy as np
 
 from core.arrays import FloatArray
-from core.model.effect import Effect, Parameter, Sensor
+from core.model.effect import AXES, Effect, Parameter, Sensor
 from core.model.stimulus import Stimulus
 
 
@@ -43,22 +43,32 @@ class ScaleFactor(Effect):
 
 
 class CrossAxis(Effect):
-    """Response to input along the two other case axes: misalignment, in the model (2.1)."""
+    """Response to input along the other case axes: misalignment, in the model (2.1).
+
+    Parameters
+    ----------
+    axes : the case axes whose response is known to matter or can be determined
+    """
 
     id = "cross_axis"
     name = "Cross-axis sensitivity"
     plain = "the sensor also feels the two other axes, mostly because it stands askew"
     equation = "k_ij * input_j + k_ik * input_k"
 
+    def __init__(self, axes: str = "xyz") -> None:
+        self._axes = axes
+
+    def _others(self, sensor: Sensor) -> list[str]:
+        return [axis for axis in sensor.cross_axes if axis in self._axes]
+
     def parameters(self, sensor: Sensor) -> tuple[Parameter, ...]:
-        """Two: the responses to the two other axes."""
+        """One for each of the other axes."""
         unit = f"{sensor.unit}/({sensor.input_unit})"
         return tuple(
             Parameter(f"cross_axis_{axis}", f"k_{sensor.axis}{axis}", unit)
-            for axis in sensor.cross_axes
+            for axis in self._others(sensor)
         )
 
     def columns(self, stimulus: Stimulus, sensor: Sensor) -> FloatArray:
-        """The input along the two other axes."""
-        others = ["xyz".index(axis) for axis in sensor.cross_axes]
-        return sensor.input(stimulus)[:, others]
+        """The input along the other axes."""
+        return sensor.input(stimulus)[:, [AXES.index(axis) for axis in self._others(sensor)]]

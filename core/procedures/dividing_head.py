@@ -1,0 +1,190 @@
+"""Accelerometers on the dividing head: (1.8), (2.4) and any other set of positions.
+
+The practicum's pair formulas are the least squares of their position sets, so one fit serves them
+all; what a set of positions cannot determine is left out by name, never guessed.
+"""
+
+from dataclasses import replace
+from datetime import UTC, datetime
+
+import numpy as np
+
+from core.arrays import FloatArray
+from core.errors import FitError, Note, RankDeficient, Severity
+from core.fit.linear import Rows, fit_sensor
+from core.fit.quantiles import student_t
+from core.fit.result import FitResult
+from core.model.catalogue.common import CrossAxis
+from core.model.catalogue.listing import CATALOGUE
+from core.model.effect import AXES, Effect, Sensor
+from core.model.sensor_model import SensorModel
+from core.model.stimulus import Stimulus, stimulus_of
+from core.plans.orientation import LEVEL, BaseOrientation
+from core.procedures.calibration import Calibration, Provenance
+from core.samples.run import Conditions, Run
+from core.version import SOFTWARE
+
+PROCEDURE = "accelerometers on the dividing head, practicum (1.8), (2.4)"
+_MG = 1e3
+
+
+def calibrate(run: Run, conditions: Conditions, base: BaseOrientation = LEVEL) -> Calibration:
+    """Estimate bias, scale factor and cross-axis sensitivity of every sensor of a run.
+
+    Parameters
+    ----------
+    run : a run on the dividing head; its rows may repeat positions
+    conditions : g with its uncertainty, u of a head setting; over what the run itself states
+    base : how the head's base plate stands
+
+    Raises
+    ------
+    FitError
+        g is missing, a number is not finite, or the positions determine nothing.
+    """
+    if not len(run):
+        raise FitError("the run holds no rows")
+    if not conditions.g_mps2 > 0:
+        raise FitError("local gravity is missing; state it in m/s^2, e.g. 9.8106 for Kyiv")
+    stimulus = stimulus_of(run, conditions.g_mps2, base=base)
+    axes = tuple(axis or _steepest_axis(stimulus, run.y[:, c]) for c, axis in enumerate(run.axes))
+    fits = tuple(_fit_channel(run, stimulus, conditions, c, axis) for c, axis in enumerate(axes))
+    return Calibration(
+        sensor=run.sensor,
+        unit=run.unit,
+        channels=run.channels,
+        axes=axes,
+        fits=fits,
+        conditions=conditions,
+        temperature_c=_mean_temperature(run),
+        notes=(*run.notes, *_unit_notes(run, axes, fits)),
+        provenance=Provenance(
+            procedure=PROCEDURE,
+            device=run.device,
+            profile=str(run.meta.get("profile", "")),
+            plan=str(run.meta.get("plan", "")),
+            software=SOFTWARE,
+            measured_utc=str(run.meta.get("measured_utc", "")),
+            computed_utc=datetime.now(UTC).isoformat(timespec="seconds"),
+        ),
+    )
+
+
+def _fit_channel(
+    run: Run, stimulus: Stimulus, conditions: Conditions, channel: int, axis: str
+) -> FitResult:
+    sensor = Sensor(run.sensor, axis, run.unit)
+    full = (CATALOGUE["bias"], CATALOGUE["scale_factor"], CATALOGUE["cross_axis"])
+    se_dof = run.extra.get(f"y_se_dof_{channel + 1}", np.full(len(run), np.inf))
+    rows = Rows(run.y[:, channel], run.y_se[:, channel], se_dof)
+    notes: tuple[Note, ...] = ()
+    try:
+        fit = fit_sensor(SensorModel(sensor, full), stimulus, rows, conditions)
+    except RankDeficient as deficient:
+        reduced = _determined(sensor, full, stimulus)
+        fit = fit_sensor(SensorModel(sensor, reduced), stimulus, rows, conditions)
+        notes = (
+            Note(
+                Severity.INFO,
+                "left_out",
+                f"{', '.join(deficient.free)} left out: these positions do not determine"
+                " them; add a rotation about another axis",
+            ),
+        )
+    pairs = _opposite_pairs(run, stimulus, channel, fit, conditions.g_mps2)
+    return replace(fit, notes=(*fit.notes, *notes, *pairs))
+
+
+def _determined(
+    sensor: Sensor, effects: tuple[Effect, ...], stimulus: Stimulus
+) -> tuple[Effect, ...]:
+    """The effects, with the cross axes cut down to those that the positions excite."""
+    excited = [axis for axis in sensor.cross_axes if np.ptp(stimulus.a[:, AXES.index(axis)]) > 1e-9]
+    kept = tuple(effect for effect in effects if effect.id != "cross_axis")
+    return (*kept, CrossAxis("".join(excited)))
+
+
+def _steepest_axis(stimulus: Stimulus, y: FloatArray) -> str:
+    """The case axis that an output follows most: where a sensor looks, if nothing says it."""
+    design = np.column_stack([np.ones(len(y)), stimulus.a])
+    slopes = np.linalg.lstsq(design, y, rcond=1e-9)[0][1:]
+    return AXES[int(np.argmax(np.abs(slopes)))]
+
+
+def _mean_temperature(run: Run) -> float:
+    known = run.temperature_c[np.isfinite(run.temperature_c)]
+    return float(known.mean()) if known.size else float("nan")
+
+
+def _opposite_pairs(
+    run: Run, stimulus: Stimulus, channel: int, fit: FitResult, g: float
+) -> tuple[Note, ...]:
+    """Compare the bias that each pair of opposite positions gives on its own.
+
+    A model with one bias must find the same in every pair. With four positions this is the one
+    degree of freedom that there is, and the pair formulas of (1.8) average over it in silence.
+    """
+    found: dict[int, tuple[float, str]] = {}
+    y = run.y[:, channel]
+    for axis in range(3):
+        along = np.abs(stimulus.a[:, axis]) > g * (1.0 - 1e-6)
+        up = np.flatnonzero(along & (stimulus.a[:, axis] > 0))
+        down = np.flatnonzero(along & (stimulus.a[:, axis] < 0))
+        if up.size and down.size:
+            rows = "/".join(str(i + 1) for i in sorted((*up, *down)))
+            found[axis] = (float(y[up].mean() + y[down].mean()) / 2.0, rows)
+    if len(found) < 2:
+        return ()
+    low = min(found, key=lambda axis: found[axis][0])
+    high = max(found, key=lambda axis: found[axis][0])
+    difference = found[high][0] - found[low][0]
+    in_mg = abs(difference / fit.value("scale_factor")) / g * _MG
+    if fit.lack_of_fit is not None:
+        limit = student_t(0.99, fit.lack_of_fit.pure_dof) * fit.lack_of_fit.pure_sd
+    elif fit.sigma_source == "known":
+        limit = student_t(0.99, np.inf) * float(np.sqrt(np.mean(fit.sigma**2)))
+    else:
+        limit = abs(fit.value("scale_factor")) * g / _MG
+    if abs(difference) <= limit:
+        return ()
+    return (
+        Note(
+            Severity.WARNING,
+            "bias_pairs_differ",
+            f"rows {found[high][1]} give a bias of {found[high][0]:.2f} {run.unit}, rows"
+            f" {found[low][1]} one of {found[low][0]:.2f}: {difference:.2f} {run.unit} ="
+            f" {in_mg:.3g} mg apart. A second-order nonlinearity, a drift or a wrong position"
+            " would do this; measure more positions to tell which",
+        ),
+    )
+
+
+def _unit_notes(run: Run, axes: tuple[str, ...], fits: tuple[FitResult, ...]) -> list[Note]:
+    notes: list[Note] = []
+    negative = [
+        name for name, fit in zip(run.channels, fits, strict=True) if fit.value("scale_factor") < 0
+    ]
+    if negative:
+        notes.append(
+            Note(
+                Severity.INFO,
+                "negative_scale_factor",
+                f"{', '.join(negative)}: the scale factor is negative, which is legal; the output"
+                " falls when its axis points up. If every earlier calibration had it positive, the"
+                " unit was mounted upside down",
+            )
+        )
+    for name, axis, fit in zip(run.channels, axes, fits, strict=True):
+        cross = [
+            abs(v) for n, v in zip(fit.names, fit.values, strict=True) if n.startswith("cross_axis")
+        ]
+        if cross and max(cross) > abs(fit.value("scale_factor")):
+            notes.append(
+                Note(
+                    Severity.WARNING,
+                    "wrong_axis",
+                    f"{name} follows another axis more than its own ({axis}): are the channels"
+                    " permuted, or is the unit mounted about another axis than the plan says?",
+                )
+            )
+    return notes
