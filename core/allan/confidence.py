@@ -1,0 +1,119 @@
+"""How well one point of an Allan curve is known.
+
+The estimate of a variance with e equivalent degrees of freedom scatters like chi-square/e. e
+depends on the kind of noise: it is identified from the slope of the curve, or taken from a fitted
+model. The lag-1 autocorrelation that frequency standards use is biased for block-averaged
+flicker and random walk of rate, so the slope is used here.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from core.allan.covariance import degrees_of_freedom
+from core.allan.model import TERMS, NoiseModel
+from core.arrays import FloatArray, IntArray, frozen
+
+SPAN = 1.5
+"""The local slope is taken from tau/1.5 to 1.5 tau."""
+SHARES = ("random_walk", "bias_instability", "rate_random_walk", "quantization", "rate_ramp")
+TRUSTED = 20.0
+"""Averages in the record below which a slope is too uncertain to tell the kind of noise."""
+ONE_SIGMA = 0.6826894921370859
+
+
+def local_slopes(taus: FloatArray, deviation: FloatArray) -> FloatArray:
+    """Return d log(deviation) / d log(tau), by least squares over a factor 1.5 to either side.
+
+    Parameters
+    ----------
+    taus : (t,) s, increasing; t >= 2
+    deviation : (t,)
+
+    Returns
+    -------
+    (t,)
+        Where the grid is too coarse for that span the two neighbours are used.
+    """
+    x, y = np.log(taus), np.log(deviation)
+    reach = np.log(SPAN) * (1.0 + 1e-9)
+    low = np.minimum(np.searchsorted(x, x - reach), np.maximum(np.arange(len(x)) - 1, 0))
+    high = np.maximum(
+        np.searchsorted(x, x + reach, side="right"), np.minimum(np.arange(len(x)) + 2, len(x))
+    )
+    slopes = np.empty_like(x)
+    for at, (start, stop) in enumerate(zip(low.tolist(), high.tolist(), strict=True)):
+        from_mean = x[start:stop] - x[start:stop].mean()
+        slopes[at] = (from_mean @ y[start:stop]) / (from_mean @ from_mean)
+    return slopes
+
+
+def noise_types(taus: FloatArray, deviation: FloatArray, m: IntArray, n: int) -> tuple[str, ...]:
+    """Name the term that dominates at each tau, from the local slope of the curve.
+
+    Parameters
+    ----------
+    taus, deviation, m : (t,) the curve
+    n : samples in the record
+
+    Returns
+    -------
+    (t,) keys of TERMS
+        Where the record holds fewer than 20 averages the last trusted type is kept.
+    """
+    by_slope = sorted(TERMS, key=lambda name: TERMS[name].power)
+    if len(taus) < 2:
+        return ("random_walk",) * len(taus)
+    nearest = np.clip(np.rint(2.0 * local_slopes(taus, deviation)) + 2.0, 0.0, 4.0)
+    names = [by_slope[int(place)] for place in nearest]
+    trusted = n / m >= TRUSTED
+    for at in range(1, len(names)):
+        if not trusted[at]:
+            names[at] = names[at - 1]
+    return tuple(names)
+
+
+def edf_of_types(types: Sequence[str], m: IntArray, pairs: IntArray) -> FloatArray:
+    """Return (t,) degrees of freedom where one term dominates at each tau.
+
+    A ramp is treated as the random walk of rate it is taken for.
+    """
+    edf = np.empty(len(m))
+    for at, name in enumerate(types):
+        shares = np.zeros(5)
+        shares[SHARES.index(name if name != "rate_ramp" else "rate_random_walk")] = 1.0
+        edf[at] = degrees_of_freedom(shares, int(m[at]), int(pairs[at]))
+    return edf
+
+
+def edf_of_model(model: NoiseModel, m: IntArray, pairs: IntArray, rate: float) -> FloatArray:
+    """Return (t,) composite degrees of freedom under a fitted model."""
+    taus = m / rate
+    parts = np.stack([model.part(name, taus) for name in SHARES], axis=1)
+    parts /= parts.sum(axis=1, keepdims=True)
+    return np.array(
+        [degrees_of_freedom(parts[at], int(m[at]), int(pairs[at])) for at in range(len(m))]
+    )
+
+
+def interval(
+    deviation: FloatArray, edf: FloatArray, level: float = ONE_SIGMA
+) -> tuple[FloatArray, FloatArray]:
+    """Return the two-sided chi-square confidence limits of Allan deviations.
+
+    Parameters
+    ----------
+    deviation, edf : (t,)
+    level : confidence level; 0.683 as frequency analysts print it unless told otherwise
+
+    Returns
+    -------
+    lower, upper : (t,)
+    """
+    from scipy.special import chdtri
+
+    tail = 0.5 * (1.0 - level)
+    variance = edf * deviation**2
+    lower = np.sqrt(variance / chdtri(edf, tail))
+    upper = np.sqrt(variance / chdtri(edf, 1.0 - tail))
+    return frozen(lower), frozen(upper)
