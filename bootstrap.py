@@ -15,16 +15,19 @@ only look at a stamp. Needs Python 3.11 or newer and nothing else.
 
 from __future__ import annotations  # an old Python must get as far as its clear message
 
-import hashlib
-import importlib
-import importlib.util
-import os
-import platform
-import shutil
-import subprocess
 import sys
-from pathlib import Path
-from typing import NamedTuple
+
+try:
+    import hashlib
+    import importlib.util
+    import os
+    import platform
+    import shutil
+    import subprocess
+    from pathlib import Path
+    from typing import NamedTuple
+except ImportError as gap:  # Debian's python3-minimal
+    sys.exit(f"This Python lacks a part of its standard library ({gap}): apt-get install python3")
 
 ROOT = Path(__file__).resolve().parent
 OLDEST = (3, 11)
