@@ -1,0 +1,268 @@
+"""What moves on the rig, and what it does to the unit, sample by sample."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from core.arrays import FloatArray
+from core.model.stimulus import Stimulus
+from core.plans.orientation import (
+    LEVEL,
+    BaseOrientation,
+    Mount,
+    case_from_base,
+    earth_rate,
+    specific_force,
+)
+from core.units import EARTH_RATE_DPS, RAD_PER_DEG
+from drivers.virtual.noise import Lag
+
+_AXES = ("x", "y", "z")
+_RING_S = 0.15
+_STILL = 1e-3
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where the rig stands.
+
+    Parameters
+    ----------
+    g : local gravity, m/s^2
+    latitude_deg : geodetic latitude; gyros feel the rate of the Earth by it
+    """
+
+    g: float = 9.8106
+    latitude_deg: float = 50.45
+
+
+@dataclass(frozen=True, slots=True)
+class Manner:
+    """How the rig moves.
+
+    Parameters
+    ----------
+    head_dps : speed of a hand at the dividing head
+    remount_s : time that a re-mounting takes
+    table_dps2 : how fast the table gains speed
+    chamber_c_per_s : how fast the chamber heats
+    case_tau_s : how slowly the unit follows the chamber
+    vibration : deviation of the specific force while something moves, m/s^2
+    shake_dps : deviation of the rate while something moves, deg/s
+    """
+
+    head_dps: float = 45.0
+    remount_s: float = 2.0
+    table_dps2: float = 50.0
+    chamber_c_per_s: float = 0.08
+    case_tau_s: float = 300.0
+    vibration: float = 0.3
+    shake_dps: float = 0.5
+
+
+class Ramp:
+    """A quantity that goes to its target at a constant speed."""
+
+    def __init__(self, value: float, speed: float) -> None:
+        self.value = value
+        self.target = value
+        self._speed = speed
+
+    def path(self, n: int, dt: float) -> FloatArray:
+        """Return the next n values and stand at the last."""
+        gap = self.target - self.value
+        if gap == 0.0:
+            return np.full(n, self.value)
+        step = math.copysign(self._speed * dt, gap)
+        values = self.value + step * np.arange(1, n + 1)
+        values = np.minimum(values, self.target) if gap > 0 else np.maximum(values, self.target)
+        self.value = float(values[-1])
+        return values
+
+
+class Bench:
+    """Head, mount, table and chamber, in the time of the samples.
+
+    Its stimulus holds the columns of a `Run` and ``north_x``, ``north_y``, ``north_z``: true north
+    on the case axes.
+
+    Parameters
+    ----------
+    place : gravity and latitude
+    manner : speeds and vibration
+    rate_hz : samples per second
+    rng : the source of the vibration
+    """
+
+    def __init__(
+        self, place: Place, manner: Manner, rate_hz: float, rng: np.random.Generator
+    ) -> None:
+        self.place = place
+        self.manner = manner
+        self.mount = "X_from"
+        self.base: BaseOrientation = LEVEL
+        self.axis = ""
+        self.head = Ramp(0.0, manner.head_dps)
+        self.table = Ramp(0.0, manner.table_dps2)
+        self.chamber = Ramp(27.0, manner.chamber_c_per_s)
+        self._dt = 1.0 / rate_hz
+        self._rng = rng
+        self._samples = 0
+        self._handling = 0
+        self._moves = 0
+        self._shaking = 0.0
+        self._table_deg = 0.0
+        self.be_at(27.0)
+
+    def turn(self, head_deg: float) -> None:
+        """Start turning the head to an angle, the short way round."""
+        way = (head_deg - self.head.value + 180.0) % 360.0 - 180.0
+        self.head.value = head_deg - way
+        self.head.target = head_deg
+        self.axis = ""
+        self.table.target = 0.0
+        self._moves += 1
+
+    def spin(self, rate_dps: float, axis: str) -> None:
+        """Stand on the rate table, a case axis along its vertical axis, and go to a rate."""
+        self.axis = axis
+        self.table.target = rate_dps
+        self._moves += 1
+
+    def remount(self, mount: str) -> None:
+        """Start bolting the unit on another way; `ValueError` for an unknown mount."""
+        Mount.parse(mount)
+        if mount != self.mount:
+            self.mount = mount
+            self._handling = round(self.manner.remount_s / self._dt)
+
+    def be_at(self, celsius: float) -> None:
+        """Stand at a temperature, unit and all, as after hours."""
+        self.chamber.value = self.chamber.target = self.case_c = celsius
+        self._case = Lag(self.manner.case_tau_s, self._dt, np.array([celsius]))
+
+    @property
+    def time_s(self) -> float:
+        """Time since the start."""
+        return self._samples * self._dt
+
+    @property
+    def moving(self) -> bool:
+        """Whether head, mount or table are in motion."""
+        return (
+            self.head.value != self.head.target
+            or self.table.value != self.table.target
+            or self._handling > 0
+        )
+
+    def stimulus(self, n: int) -> Stimulus:
+        """Return what acts on the unit in the next n samples; at rest one row stands for all."""
+        t = self._dt * (self._samples + np.arange(n, dtype=np.float64))
+        self._samples += n
+        if self._at_rest():
+            at_rest = np.array([self.head.value]), np.array([self.table.value])
+            return self._acting(t[:1], *at_rest, np.array([self.case_c]))
+        before = self.head.value
+        head, table = self.head.path(n, self._dt), self.table.path(n, self._dt)
+        moving = (head != self.head.target) | (table != self.table.target)
+        moving |= np.arange(n) < self._handling
+        self._handling = max(0, self._handling - n)
+        case = self._case.filtered(self.chamber.path(n, self._dt)[:, None])[:, 0]
+        self.case_c = float(case[-1])
+        smooth = self._acting(t, head, table, case)
+        shaken = self._envelope(moving)[:, None]
+        turning = (np.diff(head, prepend=before) / self._dt)[:, None]
+        normal = self._rng.standard_normal
+        return replace(
+            smooth,
+            a=smooth.a + self.manner.vibration * shaken * normal((n, 3)),
+            w=smooth.w
+            + turning * _turning_axis(self.mount)
+            + self.manner.shake_dps * shaken * normal((n, 3)),
+        )
+
+    def _at_rest(self) -> bool:
+        return (
+            not self.moving
+            and self.table.value == 0.0
+            and self._shaking < _STILL
+            and self.chamber.value == self.chamber.target
+            and abs(self.case_c - self.chamber.value) < _STILL
+        )
+
+    def _acting(
+        self, t: FloatArray, head: FloatArray, table: FloatArray, case: FloatArray
+    ) -> Stimulus:
+        """What acts without vibration, in each row."""
+        g = self.place.g
+        a, da_dhead = _tumbled(lambda d: specific_force(self.mount, d, g, self.base), head)
+        seen_at = self._sky(head, table)
+        w = seen_at(self.place.latitude_deg)
+        # On the equator the axis of the Earth lies level and points north.
+        north = seen_at(0.0) / EARTH_RATE_DPS
+        dw_drate = np.zeros_like(w)
+        if self.axis:
+            dw_drate[:, _AXES.index(self.axis)] = 1.0
+            da_dhead = np.zeros_like(a)
+        columns = {
+            "head_deg": head,
+            "set_rate_dps": table,
+            "temperature_c": case,
+            "t_s": t,
+            "order": np.full(len(t), float(self._moves)),
+            "run": np.zeros(len(t)),
+            **{f"north_{axis}": north[:, k] for k, axis in enumerate(_AXES)},
+        }
+        w = w + table[:, None] * dw_drate
+        return Stimulus(a=a, w=w, da_dhead=da_dhead, dw_drate=dw_drate, columns=columns)
+
+    def _sky(self, head: FloatArray, table: FloatArray) -> Callable[[float], FloatArray]:
+        """Rate of the Earth (n, 3) by latitude; a turning table swings its level part around."""
+        mount, base = self.mount, self.base
+        if not table.any():
+            base = replace(base, psi_deg=base.psi_deg - self._table_deg)
+            return lambda latitude: _tumbled(lambda d: earth_rate(mount, d, latitude, base), head)[
+                0
+            ]
+        turned = self._table_deg + np.cumsum(table) * self._dt
+        self._table_deg = float(turned[-1]) % 360.0
+        angle = float(head[-1])
+        return lambda latitude: _tumbled(
+            lambda d: earth_rate(mount, angle, latitude, replace(base, psi_deg=d)),
+            base.psi_deg - turned,
+        )[0]
+
+    def _envelope(self, moving: NDArray[np.bool_]) -> FloatArray:
+        """How strongly the unit shakes in each sample: 1 in motion, dying away after it."""
+        step = np.arange(len(moving))
+        last = np.maximum.accumulate(np.where(moving, step, -1))
+        since = np.where(last >= 0, step - last, step + 1) * self._dt
+        envelope = np.where(last >= 0, 1.0, self._shaking) * np.exp(-since / _RING_S)
+        self._shaking = float(envelope[-1])
+        return envelope
+
+
+def _tumbled(at: Callable[[float], FloatArray], head: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Values (n, 3) at head angles (n,), and their derivatives per radian.
+
+    What a turning head does to a fixed vector is a constant and a first harmonic, so four angles
+    tell all of it.
+    """
+    if np.all(head == head[0]):
+        base, quarters = float(head[0]), np.zeros(len(head))
+    else:
+        base, quarters = 0.0, head * RAD_PER_DEG
+    here, ahead, behind, across = (at(base + d) for d in (0.0, 90.0, -90.0, 180.0))
+    mean, cosine, sine = (here + across) / 2, (here - across) / 2, (ahead - behind) / 2
+    c, s = np.cos(quarters)[:, None], np.sin(quarters)[:, None]
+    return mean + c * cosine + s * sine, c * sine - s * cosine
+
+
+def _turning_axis(mount: str) -> FloatArray:
+    """Rate (3,) on the case axes while the head turns by 1 deg/s."""
+    change = (case_from_base(mount, 90.0) - case_from_base(mount, -90.0)) / 2
+    cross = -change @ case_from_base(mount, 0.0).T
+    return np.array([cross[2, 1], cross[0, 2], cross[1, 0]])
