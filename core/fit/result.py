@@ -6,7 +6,7 @@ import numpy as np
 
 from core.arrays import FloatArray
 from core.errors import Note
-from core.fit.quantiles import chi2_sf, student_t
+from core.fit.quantiles import student_t
 from core.model.effect import Parameter
 
 
@@ -46,6 +46,7 @@ class FitResult:
     sigma_source : ``"known"`` (from the accumulations and stated inputs), ``"residual"`` (from the
         scatter about the model) or ``"none"`` (no degrees of freedom, no uncertainty)
     chi2, dof : sum of squared residuals over `sigma`, rows minus parameters
+    p_value : probability of a larger chi-square with a right model; NaN unless sigma is known
     condition : condition number of the design with columns of unit length
     lack_of_fit : the test against replicates, None without replicates
     notes : every doubt, not the first
@@ -62,6 +63,7 @@ class FitResult:
     sigma_source: str
     chi2: float
     dof: int
+    p_value: float
     condition: float
     lack_of_fit: LackOfFit | None
     notes: tuple[Note, ...]
@@ -81,13 +83,6 @@ class FitResult:
         """Correlation matrix (p, p)."""
         u = self.stderr
         return self.covariance / np.outer(u, u)
-
-    @property
-    def p_value(self) -> float:
-        """Probability of a larger chi-square with a right model; NaN unless sigma is known."""
-        if self.sigma_source != "known" or self.dof == 0:
-            return float("nan")
-        return chi2_sf(self.chi2, self.dof)
 
     def expanded(self, level: float = 0.95) -> FloatArray:
         """Half widths (p,) of the two-sided coverage intervals, by Student t."""
