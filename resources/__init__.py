@@ -1,10 +1,7 @@
-"""What the program reads and does not compute.
+"""What is data, not code.
 
-plans/
-    Calibration plans: which positions, how long, in which order.
-devices/
-    Device profiles: port settings, frame layout, scales, commands.
-
-Read them by ``importlib.resources.files("resources")``, which works from the tree and from an
-installed package alike.
+devices
+    One TOML file a device: port, frames or lines, scales, commands. ``docs/device-files.md``.
+plans
+    One TOML file a procedure.
 """
