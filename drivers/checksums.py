@@ -96,8 +96,9 @@ class Crc:
     def _zero_byte(self, register: Words) -> Words:
         """Return the registers after one more zero byte."""
         if self._spec.refin:
-            return (register >> 8) ^ self._byte[register & 0xFF]
-        return ((register << 8) & self._mask) ^ self._byte[register >> (self._spec.width - 8)]
+            return np.bitwise_xor(register >> 8, self._byte[register & 0xFF], dtype=np.uint32)
+        kept = np.bitwise_and(register << 8, self._mask, dtype=np.uint32)
+        return np.bitwise_xor(kept, self._byte[register >> (self._spec.width - 8)])
 
     def _grow(self, length: int) -> None:
         tables = list(self._tables)
@@ -117,12 +118,15 @@ class Crc:
             self._grow(whole)
         distance = np.arange(whole - 1, self._zeros - 1, -1, dtype=np.int64) * 256
         parts = self._tables.ravel().take(rows + distance)
-        register: Words = np.bitwise_xor.reduce(parts, axis=1)
-        result = register.astype(np.int64) ^ self._inits[whole]
+        result = np.bitwise_xor(_exclusive_or(parts), self._inits[whole], dtype=np.int64)
         if spec.refin != spec.refout:
             turned = [_reflect(value, spec.width) for value in result.tolist()]
             result = np.array(turned, dtype=np.int64)
-        return result ^ spec.xorout
+        return np.bitwise_xor(result, spec.xorout, dtype=np.int64)
+
+
+def _exclusive_or(rows: Words | Bytes2D) -> IntArray:
+    return np.bitwise_xor.reduce(rows, axis=1).astype(np.int64)
 
 
 def sum8(rows: Bytes2D) -> IntArray:
@@ -149,7 +153,7 @@ def sum16w(rows: Bytes2D, endian: str) -> IntArray:
 
 def xor8(rows: Bytes2D) -> IntArray:
     """Return the exclusive-or of the bytes of each row."""
-    return np.bitwise_xor.reduce(rows, axis=1).astype(np.int64)
+    return _exclusive_or(rows)
 
 
 def fletcher16(rows: Bytes2D) -> IntArray:
