@@ -73,7 +73,7 @@ class Crc:
         self._zeros = zeros
         self._mask = (1 << spec.width) - 1
         init = _reflect(spec.init, spec.width) if spec.refin else spec.init
-        self._inits = [init]
+        self._inits: list[int] = [init]
         self._byte = self._byte_table()
         self._tables: Words = self._byte.reshape(1, 256)
 
