@@ -112,7 +112,7 @@ class Crc:
     def __call__(self, rows: Bytes2D) -> IntArray:
         """Return the CRC of each row; (n, m) uint8 -> (n,) int64."""
         spec = self._spec
-        count = rows.shape[1]
+        count = int(rows.shape[1])
         whole = count + self._zeros
         if len(self._inits) <= whole:
             self._grow(whole)
