@@ -4,7 +4,7 @@ The practicum's pair formulas are the least squares of their position sets, so o
 all; what a set of positions cannot determine is left out by name, never guessed.
 """
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 
 import numpy as np
@@ -26,6 +26,16 @@ from core.version import SOFTWARE
 
 PROCEDURE = "accelerometers on the dividing head, practicum (1.8), (2.4)"
 _MG = 1e3
+_SURE = 0.999
+
+
+@dataclass(frozen=True, slots=True)
+class _Pair:
+    """Bias by opposite positions, its variance in shares of one row's, and the rows."""
+
+    bias: float
+    share: float
+    rows: str
 
 
 def calibrate(run: Run, conditions: Conditions, base: BaseOrientation = LEVEL) -> Calibration:
@@ -124,7 +134,7 @@ def _opposite_pairs(
     A model with one bias must find the same in every pair. With four positions this is the one
     degree of freedom that there is, and the pair formulas of (1.8) average over it in silence.
     """
-    found: dict[int, tuple[float, str]] = {}
+    pairs: list[_Pair] = []
     y = run.y[:, channel]
     for axis in range(3):
         along = np.abs(stimulus.a[:, axis]) > g * (1.0 - 1e-6)
@@ -132,29 +142,30 @@ def _opposite_pairs(
         down = np.flatnonzero(along & (stimulus.a[:, axis] < 0))
         if up.size and down.size:
             rows = "/".join(str(i + 1) for i in sorted((*up, *down)))
-            found[axis] = (float(y[up].mean() + y[down].mean()) / 2.0, rows)
-    if len(found) < 2:
+            bias = float(y[up].mean() + y[down].mean()) / 2.0
+            pairs.append(_Pair(bias, (1.0 / up.size + 1.0 / down.size) / 4.0, rows))
+    if len(pairs) < 2:
         return ()
-    low = min(found, key=lambda axis: found[axis][0])
-    high = max(found, key=lambda axis: found[axis][0])
-    difference = found[high][0] - found[low][0]
-    in_mg = abs(difference / fit.value("scale_factor")) / g * _MG
-    if fit.lack_of_fit is not None:
-        limit = student_t(0.99, fit.lack_of_fit.pure_dof) * fit.lack_of_fit.pure_sd
-    elif fit.sigma_source == "known":
-        limit = student_t(0.99, np.inf) * float(np.sqrt(np.mean(fit.sigma**2)))
+    low, high = min(pairs, key=lambda pair: pair.bias), max(pairs, key=lambda pair: pair.bias)
+    difference = high.bias - low.bias
+    spread = float(np.sqrt(low.share + high.share))
+    per_mg = abs(fit.value("scale_factor")) * g / _MG
+    if fit.sigma_source == "known":
+        limit = student_t(_SURE, np.inf) * spread * float(np.sqrt(np.mean(fit.sigma**2)))
+    elif fit.lack_of_fit is not None:
+        limit = student_t(_SURE, fit.lack_of_fit.pure_dof) * spread * fit.lack_of_fit.pure_sd
     else:
-        limit = abs(fit.value("scale_factor")) * g / _MG
-    if abs(difference) <= limit:
+        limit = per_mg
+    if difference <= limit:
         return ()
     return (
         Note(
             Severity.WARNING,
             "bias_pairs_differ",
-            f"rows {found[high][1]} give a bias of {found[high][0]:.2f} {run.unit}, rows"
-            f" {found[low][1]} one of {found[low][0]:.2f}: {difference:.2f} {run.unit} ="
-            f" {in_mg:.3g} mg apart. A second-order nonlinearity, a drift or a wrong position"
-            " would do this; measure more positions to tell which",
+            f"rows {high.rows} give a bias of {high.bias:.2f} {run.unit}, rows {low.rows} one of"
+            f" {low.bias:.2f}: {difference:.2f} {run.unit} = {difference / per_mg:.3g} mg"
+            " apart. A second-order nonlinearity, a drift or a wrong position would do this;"
+            " measure more positions to tell which",
         ),
     )
 

@@ -13,9 +13,10 @@ from core.samples.block import SampleBlock, chosen_columns
 from core.samples.mean_error import standard_error
 
 _QUARTERS = 4
-_REST_LIMIT = 9.0
-"""Range of the quarter means over the white-noise error of one: chance alone gives 9 about once
-in 1e9; the margin is for coloured noise."""
+_REST_LIMIT = 8.0
+"""Range of the quarter means over the error of one: chance alone gives 8 about once in 1e7."""
+_LONGEST_MEMORY = 0.97
+"""Correlation of neighbouring samples that is still taken for noise."""
 _MOVED_LIMIT = 10.0
 
 
@@ -74,11 +75,22 @@ def _quarters(window: FloatArray) -> FloatArray:
 
 
 def _spread(window: FloatArray) -> FloatArray:
-    """Range of the quarter means over the white-noise error of one quarter's mean, (m,)."""
+    """Range of the quarter means over the error of one quarter's mean, (m,).
+
+    The noise inside a quarter is what a straight line leaves, so motion does not hide itself, and
+    its error is that of a first-order autoregression, since sensors filter their output.
+    """
     quarters = _quarters(window)
-    noise = np.median(quarters.std(axis=1), axis=0) / np.sqrt(quarters.shape[1])
+    n = quarters.shape[1]
     span = np.ptp(quarters.mean(axis=1), axis=0)
-    return np.where(span > 0, span / np.maximum(noise, np.finfo(float).tiny), 0.0)
+    ramp = np.linspace(-1.0, 1.0, n)
+    centred = quarters - quarters.mean(axis=1, keepdims=True)
+    slopes = np.einsum("t,qtm->qm", ramp, centred) / (ramp @ ramp)
+    rest = centred - ramp[None, :, None] * slopes[:, None, :]
+    power = np.maximum((rest**2).mean(axis=(0, 1)), np.finfo(float).tiny)
+    lagged = (rest[:, 1:] * rest[:, :-1]).mean(axis=(0, 1))
+    memory = np.clip(lagged / power, 0.0, _LONGEST_MEMORY)
+    return span / np.sqrt(power * (1.0 + memory) / (1.0 - memory) / n)
 
 
 def moved(data: FloatArray) -> BoolArray:
@@ -94,4 +106,5 @@ def moved(data: FloatArray) -> BoolArray:
     errors = np.array([standard_error(q, [False] * q.shape[1])[0] for q in quarters])
     span = np.ptp(quarters.mean(axis=1), axis=0)
     noise = np.maximum(np.median(errors, axis=0), np.finfo(float).tiny)
-    return np.greater(span, _MOVED_LIMIT * noise)
+    changed: BoolArray = np.array(span / noise > _MOVED_LIMIT, dtype=np.bool_)
+    return changed
