@@ -1,0 +1,80 @@
+"""Durable writing: whole files or nothing, and lines of growing files whole or not at all."""
+
+import contextlib
+import os
+from pathlib import Path
+
+from core.errors import StorageError
+
+
+def write_text_atomic(path: Path, text: str, *, encoding: str = "utf-8") -> None:
+    """Replace `path` by `text`; line ends are written as they stand in it.
+
+    Raises
+    ------
+    StorageError
+        It could not be written; what stood there before is untouched.
+    """
+    write_bytes_atomic(path, text.encode(encoding))
+
+
+def write_bytes_atomic(path: Path, content: bytes) -> None:
+    """Replace `path` by `content`, durable when the function returns.
+
+    Raises
+    ------
+    StorageError
+        It could not be written; what stood there before is untouched.
+    """
+    # The process id keeps two programs that save the same file out of each other's draft.
+    draft = path.with_name(f".{path.name}.{os.getpid()}.tmp")
+    try:
+        with draft.open("wb") as file:
+            file.write(content)
+            file.flush()
+            os.fsync(file.fileno())
+        draft.replace(path)
+        sync_folder(path.parent)
+    except OSError as error:
+        with contextlib.suppress(OSError):
+            draft.unlink()
+        raise not_stored(path, error, "what stood there before is untouched") from error
+
+
+def append_durable(handle: int, content: bytes) -> None:
+    """Append to an open file, durable when the function returns.
+
+    Raises
+    ------
+    OSError
+        It could not be written; the part that got through has been taken back.
+    """
+    before = os.fstat(handle).st_size
+    try:
+        rest = memoryview(content)
+        while rest:
+            rest = rest[os.write(handle, rest) :]
+        os.fsync(handle)
+    except OSError:
+        with contextlib.suppress(OSError):
+            os.ftruncate(handle, before)
+        raise
+
+
+def sync_folder(folder: Path) -> None:
+    """Make a new name in `folder` durable; without it a power cut can take the whole file."""
+    if os.name == "nt":  # Windows cannot open a folder; NTFS journals the name itself.
+        return
+    handle = os.open(folder, os.O_RDONLY)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)
+
+
+def not_stored(path: Path, error: OSError, saved: str) -> StorageError:
+    """Return the error that tells what failed, what is safe and what to do."""
+    return StorageError(f"{path}: cannot be written ({error.strerror or error}); {saved}; {REMEDY}")
+
+
+REMEDY = "free some disk space or choose another folder, then save again"
