@@ -1,0 +1,72 @@
+import pytest
+from PySide6.QtWidgets import QLabel
+
+from gui.widgets.stage import LEAST_PX, Stage
+from gui.widgets.states import Pose, StageState, Tone
+
+
+@pytest.fixture
+def stage(qtbot):
+    widget = Stage()
+    qtbot.addWidget(widget)
+    widget.resize(950, 420)
+    widget.show()
+    return widget
+
+
+def headline(stage):
+    return stage._headline
+
+
+@pytest.mark.parametrize("text", ["Idle", "Turn to 90°", "Measuring 7 s", "Done ✓", "Link lost"])
+def test_short_lines_are_one_line_of_at_least_48_px(stage, text):
+    stage.render(StageState(text, "detail", Tone.ACTION, pose=Pose("X_from", 90)))
+    font, lines = headline(stage)._fit(headline(stage).width())
+    assert lines == [text]
+    assert font.pixelSize() >= LEAST_PX
+
+
+def test_long_line_wraps_and_is_not_cut(stage, qtbot):
+    text = "Переставте блок віссю Y вздовж валу ділильної головки"
+    stage.render(StageState(text, "detail", Tone.ACTION, pose=Pose("Y_from", 0)))
+    qtbot.waitUntil(lambda: headline(stage).height() > LEAST_PX)
+    font, lines = headline(stage)._fit(headline(stage).width())
+    assert font.pixelSize() == LEAST_PX
+    assert " ".join(lines) == text
+    assert headline(stage).height() >= len(lines) * LEAST_PX
+
+
+def test_parts_show_only_what_the_state_has(stage):
+    stage.render(StageState("Idle"))
+    assert not stage._picture.isVisible()
+    assert not stage._ring.isVisible()
+    assert not stage._next.isVisible()
+    stage.render(
+        StageState(
+            "Measuring",
+            progress=0.3,
+            remaining_s=6.2,
+            pose=Pose("X_from", 90),
+            next_pose=Pose("X_from", 180),
+            next_label="X from ODH 180°",
+        )
+    )
+    assert stage._picture.isVisible()
+    assert stage._ring.accessibleName() == "30%, 7"
+    assert [label.text() for label in stage._next.findChildren(QLabel)] == [
+        "Next",
+        "X from ODH 180°",
+    ]
+
+
+def test_a_screen_reader_gets_the_words(stage):
+    stage.render(StageState("Link lost", "COM4 vanished.", Tone.BAD))
+    assert stage.accessibleName() == "Link lost"
+    assert stage.accessibleDescription() == "COM4 vanished."
+
+
+@pytest.mark.parametrize("tone", list(Tone))
+def test_every_tone_is_drawn(stage, tone):
+    stage.render(StageState("Words", tone=tone, progress=1.5, remaining_s=-1.0))
+    assert not stage.grab().isNull()
+    assert stage._ring.accessibleName() == "100%, 0"
