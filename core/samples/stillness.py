@@ -82,7 +82,7 @@ def _spread(window: FloatArray) -> FloatArray:
     """
     quarters = _quarters(window)
     n = quarters.shape[1]
-    span = np.ptp(quarters.mean(axis=1), axis=0)
+    span: FloatArray = np.ptp(quarters.mean(axis=1), axis=0)
     ramp = np.linspace(-1.0, 1.0, n)
     centred = quarters - quarters.mean(axis=1, keepdims=True)
     slopes = np.einsum("t,qtm->qm", ramp, centred) / (ramp @ ramp)
@@ -102,9 +102,9 @@ def moved(data: FloatArray) -> BoolArray:
     """
     quarters = _quarters(data)
     if quarters.shape[1] < 16:
-        return np.zeros(data.shape[1], dtype=bool)
+        return np.full(data.shape[1], False)
     errors = np.array([standard_error(q, [False] * q.shape[1])[0] for q in quarters])
-    span = np.ptp(quarters.mean(axis=1), axis=0)
+    span: FloatArray = np.ptp(quarters.mean(axis=1), axis=0)
     noise = np.maximum(np.median(errors, axis=0), np.finfo(float).tiny)
     changed: BoolArray = np.array(span / noise > _MOVED_LIMIT, dtype=np.bool_)
     return changed
