@@ -102,7 +102,7 @@ def moved(data: FloatArray) -> BoolArray:
     """
     quarters = _quarters(data)
     if quarters.shape[1] < 16:
-        return np.full(data.shape[1], False)
+        return np.zeros_like(data[0], dtype=np.bool_)
     errors = np.array([standard_error(q, [False] * q.shape[1])[0] for q in quarters])
     span: FloatArray = np.ptp(quarters.mean(axis=1), axis=0)
     noise = np.maximum(np.median(errors, axis=0), np.finfo(float).tiny)
