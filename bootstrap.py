@@ -32,6 +32,7 @@ except ImportError as gap:  # Debian's python3-minimal
 ROOT = Path(__file__).resolve().parent
 OLDEST = (3, 11)
 RUNTIME, DEVELOPMENT = "runtime", "development"
+UNFINISHED = "installing"
 
 
 class StopError(Exception):
@@ -119,15 +120,19 @@ class Environment:
         if self.is_ready(group):
             return
         try:
-            if not self.is_usable():
+            if self.is_broken() or not self.is_usable():
                 self.create()
-            self.stamp.unlink(missing_ok=True)
+            self.stamp.write_text(UNFINISHED, "utf-8")
             self.install(group)
             groups = (RUNTIME, group)
             self.stamp.write_text("\n".join(map(self.fingerprint, groups)) + "\n", "utf-8")
         except OSError as error:
             where = error.filename or self.folder
             raise StopError(f"{where}: {error.strerror}. {self.not_made()}") from error
+
+    def is_broken(self) -> bool:
+        """True if an installation was cut off: half a package can look like a whole one."""
+        return self.stamp.exists() and self.stamp.read_text("utf-8") == UNFINISHED
 
     def is_usable(self) -> bool:
         """True if there is an environment of this Python version with a pip that runs."""

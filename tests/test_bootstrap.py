@@ -2,6 +2,7 @@
 
 import ast
 import os
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -34,6 +35,7 @@ def install_nothing(environment: Environment, monkeypatch: pytest.MonkeyPatch) -
 
     def create() -> None:
         done.append("create")
+        shutil.rmtree(environment.folder, ignore_errors=True)
         environment.python.parent.mkdir(parents=True)
         environment.python.symlink_to(sys.executable)
 
@@ -96,7 +98,7 @@ def test_development_adds_to_runtime_and_covers_it(
     assert done == ["create", RUNTIME, DEVELOPMENT]
 
 
-def test_an_interrupted_installation_is_taken_up_again(
+def test_an_interrupted_installation_is_begun_anew(
     checkout: Environment, monkeypatch: pytest.MonkeyPatch
 ):
     done = install_nothing(checkout, monkeypatch)
@@ -110,9 +112,9 @@ def test_an_interrupted_installation_is_taken_up_again(
         patch.setattr(checkout, "install", interrupted)
         with pytest.raises(KeyboardInterrupt):
             checkout.prepare(RUNTIME)
-    assert not checkout.stamp.exists()
+    assert not checkout.is_ready(RUNTIME)
     checkout.prepare(RUNTIME)
-    assert done == ["create", RUNTIME, RUNTIME]
+    assert done == ["create", RUNTIME, "create", RUNTIME]
     assert checkout.is_ready(RUNTIME)
 
 

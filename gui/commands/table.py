@@ -1,7 +1,6 @@
 """Which subcommands there are, and the one way in which all of them run."""
 
 import argparse
-import contextlib
 import importlib
 import os
 import sys
@@ -10,7 +9,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol, cast
 
-from core.errors import LabError, StorageError
+from core.errors import LabError
+from core.records.atomic import write_text_atomic
 
 if TYPE_CHECKING:
     from gui.commands.answer import Answer
@@ -90,32 +90,11 @@ def _give(answer: "Answer", out: str | None) -> None:
         sys.stdout.write(to_json(answer.data, ascii_only=True))
     else:
         if out is not None:
-            _replace(Path(out), to_json(answer.data))
+            write_text_atomic(Path(out), to_json(answer.data))
         # A console of another code page shows \N escapes rather than stopping half-way.
         encoding = sys.stdout.encoding or "utf-8"
         print(answer.text.encode(encoding, "backslashreplace").decode(encoding))
     sys.stdout.flush()
-
-
-def _replace(path: Path, text: str) -> None:
-    """Write `text` to `path` so that an interruption leaves the old file or the new one.
-
-    Raises
-    ------
-    StorageError
-        The file cannot be written there.
-    """
-    draft = path.with_name(f".{path.name}.{os.getpid()}.tmp")
-    try:
-        with draft.open("w", encoding="utf-8", newline="\n") as file:
-            file.write(text)
-            file.flush()
-            os.fsync(file.fileno())
-        draft.replace(path)
-    except OSError as error:
-        with contextlib.suppress(OSError):
-            draft.unlink()
-        raise StorageError(f"{path}: cannot be written: {error.strerror}") from error
 
 
 def _one_line(error: Exception) -> str:
