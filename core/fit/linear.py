@@ -146,6 +146,10 @@ def _check(model: SensorModel, design: FloatArray, rows: Rows) -> None:
     if bad.size:
         raise FitError(f"row {bad[0] + 1}: the output is not a number")
     names = tuple(parameter.symbol for parameter in model.parameters)
+    unknown = np.flatnonzero(~np.isfinite(design).all(axis=0))
+    if unknown.size:
+        which = ", ".join(names[i] for i in unknown)
+        raise FitError(f"the input that {which} respond to is not known in every row")
     length = np.linalg.norm(design, axis=0)
     scaled = design / np.where(length > 0, length, 1.0)
     s, vt = np.linalg.svd(scaled, full_matrices=n < p)[1:]

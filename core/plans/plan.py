@@ -26,9 +26,9 @@ class Step:
     ----------
     number : the number that operators know (screen position, rate number), unique in a plan
     group : title of the group that the step stands in
-    mount : how the unit is bolted on, e.g. ``"X_from"``
+    mount : how the unit is bolted on, e.g. ``"X_from"``; on the table ``"Z_from"`` has Z up
     head_deg : angle to set on the dividing head
-    rate_dps : rate to set on the table, deg/s; 0 on the head
+    rate_dps : rate to set on the table, deg/s, counter-clockwise from above; 0 on the head
     axis : table tests: the case axis along the table's axis, ``"x"``, ``"y"`` or ``"z"``
     """
 
@@ -141,14 +141,11 @@ def load_plans() -> dict[str, Plan]:
 
 def _steps(reader: "_Reader", group: dict[str, Any], before: int) -> list[Step]:
     title = reader.text(group, "title")
-    mount = str(group.get("mount", "X_from"))
+    mount = str(group.get("mount", "Z_from" if "rates_dps" in group else "X_from"))
     try:
-        Mount.parse(mount)
+        axis = Mount.parse(mount).axis.lower()
     except ValueError as error:
         raise FormatError(reader.name, f"[[group]] {title}: {error}") from error
-    axis = str(group.get("axis", "z"))
-    if axis not in ("x", "y", "z"):
-        raise FormatError(reader.name, f"[[group]] {title}: axis = {axis!r}; expected x, y or z")
     angles = reader.numbers(group.get("head_deg", []), "head_deg")
     rates = reader.numbers(group.get("rates_dps", []), "rates_dps")
     if bool(angles) == bool(rates):
