@@ -46,6 +46,10 @@ PLAIN = PortSettings(
 """115200 8N1, for a port of which nothing is known."""
 
 
+class UnfitSettings(LinkError):
+    """The port is there and does not take this speed or format."""
+
+
 class Transport(Protocol):
     """A source of bytes that a `Reader` reads and closes in its own thread.
 
@@ -234,7 +238,7 @@ def _refusal(url: str, baud: int, settings: PortSettings, error: Exception) -> L
         return LinkError(url, f"nobody answers there: {text}", "check the address and the port")
     if "onfigure port" in text or not isinstance(error, OSError):
         form = f"{settings.data_bits}{settings.parity}{settings.stop_bits}"
-        return LinkError(
+        return UnfitSettings(
             url,
             f"the port does not take {baud} baud {form}, or is no serial port ({text})",
             "choose another baud rate or another port",
@@ -244,7 +248,7 @@ def _refusal(url: str, baud: int, settings: PortSettings, error: Exception) -> L
 
 def _misuse(url: str, baud: int, text: str) -> LinkError:
     if "baud" in text.lower():
-        return LinkError(
+        return UnfitSettings(
             url,
             f"the port does not take {baud} baud ({text})",
             "choose another baud rate",

@@ -139,6 +139,14 @@ class Bench:
             self.mount = mount
             self._handling = round(self.manner.remount_s / self._dt)
 
+    def heat(self, chamber_c: float) -> None:
+        """Set the chamber."""
+        self.chamber.target = chamber_c
+
+    def tilt_base(self, base: BaseOrientation) -> None:
+        """Set the base plate."""
+        self.base = base
+
     def be_at(self, celsius: float) -> None:
         """Stand at a temperature, unit and all, as after hours."""
         self.chamber.value = self.chamber.target = self.case_c = celsius

@@ -4,6 +4,7 @@ The rig lives in the thread that reads its port. The other threads give orders a
 snapshots; orders are carried out before the next sample.
 """
 
+import math
 import threading
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
@@ -23,6 +24,7 @@ from drivers.virtual.replies import Answering
 from drivers.virtual.unit import Unit
 
 _MOST = 4096
+_Order = Callable[[Bench], None]
 
 
 class Unplugged(Exception):
@@ -113,41 +115,42 @@ class Rig:
         )
         self._line = Line(line)
         self._answering = Answering(self.profile, device.identity, device.reply_bytes)
-        self._orders: SimpleQueue[Callable[[], None]] = SimpleQueue()
+        self._orders: SimpleQueue[tuple[float, _Order]] = SimpleQueue()
+        self._agenda: list[tuple[float, _Order]] = []
         self._faults = Faults()
         self._plugged = True
         self._next = 0
         self._port = threading.Lock()
         self._state = self._look()
 
-    # What a hand does.
+    # What a hand does; `after_s` lets it begin later, in the time of the rig.
 
-    def turn(self, head_deg: float) -> None:
+    def turn(self, head_deg: float, *, after_s: float = 0.0) -> None:
         """Turn the dividing head to an angle, the short way round."""
-        self._orders.put(lambda: self._bench.turn(head_deg))
+        self._order(after_s, lambda bench: bench.turn(head_deg))
 
-    def remount(self, mount: str) -> None:
+    def remount(self, mount: str, *, after_s: float = 0.0) -> None:
         """Bolt the unit on another way, e.g. ``"Y_from"``; `ValueError` for an unknown mount."""
         Mount.parse(mount)
-        self._orders.put(lambda: self._bench.remount(mount))
+        self._order(after_s, lambda bench: bench.remount(mount))
 
-    def spin(self, rate_dps: float, axis: str = "z") -> None:
+    def spin(self, rate_dps: float, axis: str = "z", *, after_s: float = 0.0) -> None:
         """Put the unit on the rate table, a case axis along its axis, and turn it at a rate."""
         if axis not in ("x", "y", "z"):
             raise ValueError(f"axis {axis!r}; expected x, y or z")
-        self._orders.put(lambda: self._bench.spin(rate_dps, axis))
+        self._order(after_s, lambda bench: bench.spin(rate_dps, axis))
 
-    def heat(self, chamber_c: float) -> None:
+    def heat(self, chamber_c: float, *, after_s: float = 0.0) -> None:
         """Set the chamber to a temperature; the unit follows slowly."""
-        self._orders.put(lambda: setattr(self._bench.chamber, "target", chamber_c))
+        self._order(after_s, lambda bench: bench.heat(chamber_c))
 
     def be_at(self, celsius: float) -> None:
         """Stand at a temperature, unit and all, as after hours in the chamber."""
-        self._orders.put(lambda: self._bench.be_at(celsius))
+        self._order(0.0, lambda bench: bench.be_at(celsius))
 
     def tilt_base(self, base: BaseOrientation) -> None:
         """Set the base plate of the head."""
-        self._orders.put(lambda: setattr(self._bench, "base", base))
+        self._order(0.0, lambda bench: bench.tilt_base(base))
 
     def fail(self, faults: Faults) -> None:
         """Let things go wrong from now on; `Faults()` mends all."""
@@ -204,16 +207,34 @@ class Rig:
         while True:
             if not self._plugged:
                 raise Unplugged(self.options.device)
-            while not self._orders.empty():
-                self._orders.get()()
+            self._obey()
             pieces.append(self._answering.reply())
-            step = min(count, _MOST)
+            step = min(count, self._until_next_order(), _MOST)
             if not step:
                 break
             pieces.append(self._piece(step))
             count -= step
         self._state = self._look()
         return b"".join(pieces)
+
+    def _order(self, after_s: float, order: _Order) -> None:
+        self._orders.put((after_s, order))
+
+    def _obey(self) -> None:
+        """Carry out the orders whose time has come, in the order of their times."""
+        now = self._bench.time_s
+        while not self._orders.empty():
+            after_s, order = self._orders.get()
+            self._agenda.append((now + after_s, order))
+        self._agenda.sort(key=lambda entry: entry[0])
+        while self._agenda and self._agenda[0][0] <= now:
+            self._agenda.pop(0)[1](self._bench)
+
+    def _until_next_order(self) -> int:
+        """Samples until something is to be done, at least one."""
+        if not self._agenda:
+            return _MOST
+        return max(1, math.ceil((self._agenda[0][0] - self._bench.time_s) * self.rate_hz))
 
     def _piece(self, count: int) -> bytes:
         data = self._unit.sends(self._bench.stimulus(count), count)
