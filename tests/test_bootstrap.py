@@ -37,7 +37,7 @@ def install_nothing(environment: Environment, monkeypatch: pytest.MonkeyPatch) -
         done.append("create")
         shutil.rmtree(environment.folder, ignore_errors=True)
         environment.python.parent.mkdir(parents=True)
-        environment.python.symlink_to(sys.executable)
+        environment.python.touch()
 
     monkeypatch.setattr(environment, "create", create)
     monkeypatch.setattr(environment, "install", done.append)
