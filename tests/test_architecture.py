@@ -37,7 +37,9 @@ def test_the_wheel_gets_every_package_and_no_other():
     tools = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["tool"]
     listed = tools["setuptools"]["packages"]
     folders = {path.parent for package in PACKAGES for path in (ROOT / package).rglob("*.py")}
-    dotted = {relative(folder).replace("/", ".") for folder in folders}
+    # To setuptools a folder of data is a package as well.
+    data = {path.parent for path in (ROOT / "resources").rglob("*.*") if path.suffix != ".pyc"}
+    dotted = {relative(folder).replace("/", ".") for folder in folders | data}
     wanted = {name if name == "calrig" else f"calrig._app.{name}" for name in dotted}
     assert wanted - set(listed) == set(), "add these to pyproject.toml"
     assert set(listed) - wanted == set(), "take these out of pyproject.toml"
