@@ -10,8 +10,6 @@ from packaging.requirements import Requirement
 from packaging.utils import NormalizedName, canonicalize_name
 from PySide6.QtCore import QRectF
 
-from core.version import VERSION
-
 ROOT = Path(__file__).resolve().parents[1]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
 LOCK = {
@@ -53,10 +51,6 @@ def test_the_lock_keeps_to_what_the_project_asks_for():
     for text in PROJECT["dependencies"] + PROJECT["optional-dependencies"]["dev"]:
         wanted = Requirement(text)
         assert LOCK[canonicalize_name(wanted.name)] in wanted.specifier
-
-
-def test_the_version_is_one():
-    assert PROJECT["version"] == VERSION
 
 
 def test_calls_into_qt_lose_no_reference_to_none():
