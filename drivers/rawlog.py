@@ -110,9 +110,9 @@ class RawLog:
         except StorageError as error:
             self.error = error
             while self._spooled > _SPOOL_BYTES:
-                size = len(self._spool.popleft()[1])
-                self._spooled -= size
-                self._dropped += size
+                tag, payload = self._spool.popleft()
+                self._spooled -= len(payload)
+                self._dropped += len(payload) - _TIME.size if tag == RAW else 0
         else:
             if not self._unsafe:
                 self.error = None

@@ -109,7 +109,7 @@ class Bench:
         self.table = Ramp(0.0, manner.table_dps2)
         self.chamber = Ramp(27.0, manner.chamber_c_per_s)
         self._dt = 1.0 / rate_hz
-        self._rng = rng
+        self._knocks, self._jolts = rng.spawn(2)
         self._samples = 0
         self._handling = 0
         self._moves = 0
@@ -181,22 +181,22 @@ class Bench:
         case = self._case.filtered(self.chamber.path(n, self._dt)[:, None])[:, 0]
         self.case_c = float(case[-1])
         smooth = self._acting(t, head, table, case)
-        shaken = self._envelope(moving)[:, None]
-        turning = (np.diff(head, prepend=before) / self._dt)[:, None]
-        normal = self._rng.standard_normal
-        return replace(
-            smooth,
-            a=smooth.a + self.manner.vibration * shaken * normal((n, 3)),
-            w=smooth.w
-            + turning * _turning_axis(self.mount)
-            + self.manner.shake_dps * shaken * normal((n, 3)),
-        )
+        turning = np.diff(head, prepend=before) / self._dt
+        w = smooth.w + turning[:, None] * _turning_axis(self.mount)
+        envelope = self._envelope(moving)
+        shaking = np.flatnonzero(envelope)
+        shape = (len(shaking), 3)
+        shaken = envelope[shaking, None]
+        # Chance is spent on the shaken samples alone, so blocks of any length give the same.
+        smooth.a[shaking] += self.manner.vibration * shaken * self._knocks.standard_normal(shape)
+        w[shaking] += self.manner.shake_dps * shaken * self._jolts.standard_normal(shape)
+        return replace(smooth, w=w)
 
     def _at_rest(self) -> bool:
         return (
             not self.moving
             and self.table.value == 0.0
-            and self._shaking < _STILL
+            and self._shaking == 0.0
             and self.chamber.value == self.chamber.target
             and abs(self.case_c - self.chamber.value) < _STILL
         )
@@ -249,6 +249,7 @@ class Bench:
         last = np.maximum.accumulate(np.where(moving, step, -1))
         since = np.where(last >= 0, step - last, step + 1) * self._dt
         envelope = np.where(last >= 0, 1.0, self._shaking) * np.exp(-since / _RING_S)
+        envelope[envelope < _STILL] = 0.0
         self._shaking = float(envelope[-1])
         return envelope
 

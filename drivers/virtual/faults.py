@@ -40,7 +40,14 @@ class Line:
 
     def __init__(self, rng: np.random.Generator) -> None:
         self.damaged: list[IntArray] = []
-        self._rng = rng
+        (
+            self._drop_rng,
+            self._half_rng,
+            self._bit_rng,
+            self._garbage_rng,
+            self._detail_rng,
+            self._noise_rng,
+        ) = rng.spawn(6)
         self._held: FloatArray | None = None
 
     def freeze(self, data: FloatArray, faults: Faults) -> None:
@@ -57,29 +64,29 @@ class Line:
         if not (faults.bit_error or faults.drop or faults.half or faults.garbage):
             return data
         frames = self._frames(data, count)
-        chance = self._rng.random
-        dropped = chance(count) < faults.drop
-        halved = chance(count) < faults.half
-        flips = self._rng.binomial([8 * len(frame) for frame in frames], faults.bit_error)
-        noisy = np.flatnonzero(chance(count) < faults.garbage)
+        sizes = [8 * len(frame) for frame in frames]
+        dropped = self._drop_rng.random(count) < faults.drop
+        halved = self._half_rng.random(count) < faults.half
+        flips = self._bit_rng.binomial(sizes, faults.bit_error)
+        noisy = np.flatnonzero(self._garbage_rng.random(count) < faults.garbage)
         hit = dropped | halved | (flips > 0)
         self.damaged.append(first + np.flatnonzero(hit))
         for k in np.flatnonzero(hit):
             frames[k] = b"" if dropped[k] else self._spoilt(frames[k], int(flips[k]), halved[k])
         for k in noisy:
-            frames[k] = self.noise(int(self._rng.integers(1, _MOST_GARBAGE))) + frames[k]
+            frames[k] = self.noise(int(self._noise_rng.integers(1, _MOST_GARBAGE))) + frames[k]
         return b"".join(frames)
 
     def noise(self, count: int) -> bytes:
         """Return random bytes, as a wrong baud rate makes of any signal."""
-        return self._rng.bytes(count)
+        return self._noise_rng.bytes(count)
 
     def _spoilt(self, frame: bytes, flips: int, halved: bool) -> bytes:
         bits: NDArray[np.uint8] = np.unpackbits(np.frombuffer(frame, dtype=np.uint8))
         if flips:
-            bits[self._rng.choice(len(bits), flips, replace=False)] ^= 1
+            bits[self._detail_rng.choice(len(bits), flips, replace=False)] ^= 1
         whole = np.packbits(bits).tobytes()
-        return whole[: int(self._rng.integers(1, len(whole)))] if halved else whole
+        return whole[: int(self._detail_rng.integers(1, len(whole)))] if halved else whole
 
     @staticmethod
     def _frames(data: bytes, count: int) -> list[bytes]:

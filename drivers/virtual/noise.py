@@ -75,42 +75,42 @@ class NoiseLevel:
 
 
 class Noise:
-    """Noise of several outputs.
+    """Noise of several outputs, the same however it is cut into blocks.
 
     Parameters
     ----------
     levels : (c,) one for each output
     rate_hz : samples per second
-    rng : the only source of chance
+    rng : the only source of chance; spawned from, one stream for each process
     """
 
     def __init__(
         self, levels: tuple[NoiseLevel, ...], rate_hz: float, rng: np.random.Generator
     ) -> None:
-        self._rng = rng
         dt = 1.0 / rate_hz
+        self._white_rng, self._walk_rng, start = rng.spawn(3)
         self._white = np.array([level.density for level in levels]) * math.sqrt(rate_hz / 2.0)
         self._walk = np.array([level.walk for level in levels]) * math.sqrt(dt)
         self._position = np.zeros(len(levels))
         sigma = np.array([level.floor for level in levels]) * (0.664 / _FLICKER_FLOOR)
         self._sigma = sigma
         self._relaxations = [
-            Lag(tau, dt, sigma * rng.standard_normal(len(levels)))
-            for tau in _FLICKER_TAUS_S
+            (Lag(tau, dt, sigma * start.standard_normal(len(levels))), stream)
+            for tau, stream in zip(_FLICKER_TAUS_S, rng.spawn(len(_FLICKER_TAUS_S)), strict=True)
             if tau > dt
         ]
 
     def next(self, n: int) -> FloatArray:
         """Return the noise (n, c) of the next n samples."""
-        normal = self._rng.standard_normal
         shape = (n, len(self._white))
-        total = normal(shape) * self._white
+        total = self._white_rng.standard_normal(shape) * self._white
         if self._walk.any():
-            steps = normal(shape) * self._walk
+            steps = self._walk_rng.standard_normal(shape) * self._walk
             walked = np.cumsum(steps, axis=0) + self._position
             self._position = walked[-1].copy()
             total += walked
         if self._sigma.any():
-            for lag in self._relaxations:
-                total += lag.driven(normal(shape) * (self._sigma * math.sqrt(1 - lag.pole**2)))
+            for lag, stream in self._relaxations:
+                sigma = self._sigma * math.sqrt(1.0 - lag.pole**2)
+                total += lag.driven(stream.standard_normal(shape) * sigma)
         return total

@@ -1,0 +1,472 @@
+"""The reader on the simulated rig, on real pseudo-terminals and on sources made for the purpose."""
+
+import signal
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from core.arrays import frozen, frozen_int
+from core.errors import LinkError, StorageError
+from core.samples.block import Channel, SampleBlock
+from drivers.decoders import Decoder, make_decoder
+from drivers.events import BadChecksum, Ended, Event, Garbage, Lost, Message
+from drivers.framing import BlockWriter
+from drivers.profile import load_profiles
+from drivers.rawlog import Chunk, Mark, RawLog, read_rawlog
+from drivers.reader import LinkState, Reader
+from drivers.transport import EndOfStream, opener
+from drivers.virtual.address import rig_of
+from drivers.virtual.pty_process import PtyProcess
+
+CVG = load_profiles()["cvgx48"]
+
+
+class Script:
+    """A transport that does what a list says: bytes, a pause, or an error to raise."""
+
+    def __init__(self, steps: Sequence[bytes | float | Exception]) -> None:
+        self.port = "script"
+        self.patient = False
+        self.written = b""
+        self.closed = 0
+        self._steps = list(steps)
+        self._cancelled = threading.Event()
+
+    def read(self) -> bytes:
+        if not self._steps:
+            self._cancelled.wait(0.05)
+            return b""
+        step = self._steps.pop(0)
+        if isinstance(step, Exception):
+            raise step
+        if isinstance(step, float):
+            self._cancelled.wait(step)
+            return b""
+        return step
+
+    def write(self, data: bytes) -> None:
+        self.written += data
+
+    def cancel(self) -> None:
+        self._cancelled.set()
+
+    def close(self) -> None:
+        self.closed += 1
+
+
+class Letters:
+    """A decoder: one sample a letter, anything else is garbage, `!` breaks it."""
+
+    def __init__(self, rate: float = 0.0) -> None:
+        self.channels = (Channel("letter"),)
+        self.rate = rate
+        self._next = 0
+
+    def feed(self, data: bytes) -> list[Event]:
+        if b"!" in data:
+            raise ZeroDivisionError("a bug")
+        values = [byte for byte in data if chr(byte).isalpha()]
+        if not values:
+            return [Garbage(len(data), data[:8])]
+        index = frozen_int(range(self._next, self._next + len(values)))
+        self._next += len(values)
+        return [SampleBlock(self.channels, index, frozen([[v] for v in values]), self.rate)]
+
+    def flush(self) -> list[Event]:
+        return []
+
+
+def wait_for(condition: Callable[[], bool], seconds: float = 10.0) -> None:
+    until = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < until, "it never happened"
+        time.sleep(0.005)
+
+
+def finish(reader: Reader) -> list[Event]:
+    """All events of a reader that ends by itself."""
+    reader.start()
+    events: list[Event] = []
+    wait_for(
+        lambda: bool(events.extend(reader.drain()) or events) and isinstance(events[-1], Ended)
+    )
+    reader.close()
+    return events
+
+
+def samples(events: Sequence[Event]) -> tuple[np.ndarray, np.ndarray]:
+    blocks = [event for event in events if isinstance(event, SampleBlock)]
+    return (
+        np.concatenate([block.index for block in blocks]),
+        np.concatenate([block.data for block in blocks]),
+    )
+
+
+def sim_reader(query: str, device: str = "cvg25", **options) -> Reader:
+    url = f"sim://{device}?{query}"
+    profile = rig_of(url).profile
+    return Reader(opener(url, profile.port), make_decoder(profile), **options)
+
+
+def test_events_come_in_order_and_ended_is_the_last():
+    script = Script([b"ab", b"12", b"c", 0.01, EndOfStream()])
+    events = finish(Reader(lambda: script, Letters()))
+    assert [type(event).__name__ for event in events] == [
+        "SampleBlock",
+        "Garbage",
+        "SampleBlock",
+        "Ended",
+    ]
+    assert events[-1] == Ended(None)
+    assert script.closed == 1
+    assert samples(events)[0].tolist() == [0, 1, 2]
+
+
+def test_a_vanished_port_ends_with_the_reason():
+    lost = LinkError("script", "the port vanished")
+    events = finish(Reader(lambda: Script([b"ab", lost]), Letters()))
+    assert events[-1] == Ended(lost)
+
+
+def test_a_port_that_does_not_open_ends_with_the_reason():
+    error = LinkError("COM9", "the port is busy")
+
+    def refuse():
+        raise error
+
+    assert finish(Reader(refuse, Letters(), reopener=refuse)) == [Ended(error)]
+
+
+def test_an_error_of_ours_ends_the_link_and_is_not_hidden(monkeypatch):
+    seen = []
+    monkeypatch.setattr(threading, "excepthook", lambda args: seen.append(args.exc_type))
+    script = Script([b"ab", b"!"])
+    events = finish(Reader(lambda: script, Letters()))
+    ended = events[-1]
+    assert isinstance(ended, Ended)
+    assert "ZeroDivisionError" in str(ended.error)
+    assert seen == [ZeroDivisionError]
+    assert script.closed == 1
+
+
+def test_close_is_idempotent_and_from_any_state():
+    never = Reader(lambda: Script([]), Letters())
+    never.close()
+    never.close()
+    script = Script([b"ab"])
+    reader = Reader(lambda: script, Letters())
+    reader.start()
+    wait_for(lambda: reader.counters.frames == 2)
+    reader.write(b"last words")
+    wait_for(lambda: script.written == b"last words")
+    closers = [threading.Thread(target=reader.close) for _ in range(4)]
+    for closer in closers:
+        closer.start()
+    for closer in closers:
+        closer.join()
+    reader.close()
+    assert reader.state is LinkState.ENDED
+    assert script.closed == 1
+    assert [event for event in reader.drain() if isinstance(event, Ended)] == [Ended(None)]
+
+
+def test_counters_and_states(monkeypatch):
+    reader = sim_reader("name=counters&drop=0.02&bit_error=2e-4&speed=5")
+    assert reader.state is LinkState.OPENING
+    reader.start()
+    wait_for(lambda: reader.state is LinkState.STREAMING)
+    wait_for(lambda: reader.counters.frames > 2000)
+    counters = reader.counters
+    assert counters.bytes > counters.frames * 48
+    assert counters.bad_checksum > 0
+    assert counters.lost > 0
+    assert counters.silent_s < 0.5
+    assert counters.measured_hz == pytest.approx(1000.0, rel=0.05)
+    reader.close()
+    events = reader.drain()
+    count = {kind: sum(e.count for e in events if isinstance(e, kind)) for kind in
+             (BadChecksum, Lost, Garbage)}  # fmt: skip
+    final = reader.counters
+    assert final.bad_checksum == count[BadChecksum]
+    assert (final.lost, final.garbage) == (count[Lost], count[Garbage])
+    assert final.frames == len(samples(events)[0])
+
+
+def test_silence_is_no_data_and_not_the_end():
+    url = "sim://pointer?name=silence"
+    profile = rig_of(url).profile
+    reader = Reader(opener(url, profile.port), make_decoder(profile))
+    reader.start()
+    wait_for(lambda: reader.state is LinkState.STREAMING)
+    reader.write(profile.commands["stop"].data)
+    wait_for(lambda: reader.state is LinkState.NO_DATA, 3.0)
+    assert reader.counters.silent_s > 1.0
+    reader.close()
+
+
+def test_a_patient_source_waits_for_its_listener():
+    reader = sim_reader("name=patient&speed=max")
+    reader.start()
+    wait_for(lambda: reader.counters.frames > 1000)
+    time.sleep(0.3)
+    stalled = reader.counters.frames
+    time.sleep(0.2)
+    assert reader.counters.frames == stalled
+    reader.drain()
+    wait_for(lambda: reader.counters.frames > stalled)
+    reader.close()
+    index, _ = samples(reader.drain())
+    assert np.all(np.diff(index) == 1)
+
+
+def test_nothing_is_lost_while_the_window_stands_still_for_two_seconds():
+    with PtyProcess("sim://cvg25?rate=1000&seed=5") as rig:
+        reader = Reader(opener(rig.port, CVG.port), make_decoder(CVG))
+        reader.start()
+        wait_for(lambda: reader.counters.frames > 100)
+        until = time.monotonic() + 2.0
+        while time.monotonic() < until:
+            sum(range(20000))  # the window computes and never drains
+        reader.close()
+        events = reader.drain()
+        index, _ = samples(events)
+        assert len(index) > 2000
+        assert np.all(np.diff(index) == 1)
+        assert not [event for event in events if isinstance(event, Lost | BadChecksum)]
+        assert sum(event.count for event in events if isinstance(event, Garbage)) < 2 * 48
+        assert rig.order(state=True)["overrun"] == 0
+
+
+def test_unplugging_in_the_middle():
+    with PtyProcess("sim://cvg25") as rig:
+        reader = Reader(opener(rig.port, CVG.port), make_decoder(CVG))
+        reader.start()
+        wait_for(lambda: reader.counters.frames > 50)
+        rig.order(unplug=True)
+        wait_for(lambda: reader.state is LinkState.ENDED)
+        *_, ended = reader.drain()
+        assert isinstance(ended, Ended)
+        assert "vanished" in str(ended.error)
+        reader.close()
+
+
+def test_the_same_adapter_is_taken_up_again_with_a_gap(tmp_path):
+    link = tmp_path / "ttyGYRO"
+    with PtyProcess("sim://cvg25", link) as rig:
+        path = tmp_path / "run.calrec"
+        opening = opener(rig.port, CVG.port)
+        reader = Reader(opening, make_decoder(CVG), RawLog(path, {}), reopener=opening)
+        reader.start()
+        wait_for(lambda: reader.counters.frames > 100)
+        rig.order(unplug=True)
+        wait_for(lambda: reader.state is LinkState.RECONNECTING)
+        time.sleep(1.5)
+        rig.order(plug_in=True)
+        wait_for(lambda: reader.state is LinkState.STREAMING)
+        frames = reader.counters.frames
+        wait_for(lambda: reader.counters.frames > frames + 100)
+        reader.close()
+    events = reader.drain()
+    kinds = [event.kind for event in events if isinstance(event, Message)]
+    assert kinds == ["link lost", "reconnected"]
+    index, _ = samples(events)
+    jumps = np.diff(index)
+    (gap,) = jumps[jumps > 1]
+    # 1.5 s and the wait for the next attempt, at 200 Hz, by the clock.
+    assert 300 < gap < 900
+    assert reader.counters.reconnections == 1
+    lost = [event for event in events if isinstance(event, Lost)]
+    assert sum(event.count for event in lost) == pytest.approx(gap - 1, abs=3)
+    marks = [part.kind for part in read_rawlog(path) if isinstance(part, Mark)]
+    assert marks == ["link lost", "reconnected"]
+
+
+def test_numbers_never_go_back_after_a_reconnection():
+    scripts = [Script([b"abcd", LinkError("script", "gone")]), Script([b"efgh", EndOfStream()])]
+    reader = Reader(lambda: scripts.pop(0), Letters(100.0), reopener=lambda: scripts.pop(0))
+    events = finish(reader)
+    index, data = samples(events)
+    assert data.ravel().tolist() == list(b"abcdefgh")
+    assert index[:4].tolist() == [0, 1, 2, 3]
+    # One second between the attempts at 100 Hz.
+    assert 80 < index[4] < 200
+    assert np.diff(index)[4:].tolist() == [1, 1, 1]
+    (lost,) = [event for event in events if isinstance(event, Lost)]
+    assert lost.before == index[4]
+    assert lost.count == index[4] - 4
+
+
+def test_wrong_baud_rate_gives_no_sample():
+    with PtyProcess("sim://cvg25") as rig:
+        reader = Reader(opener(rig.port, CVG.port, 57600), make_decoder(CVG))
+        reader.start()
+        wait_for(lambda: reader.counters.bytes > 5000)
+        reader.close()
+        assert reader.counters.frames == 0
+        assert reader.counters.garbage > 4000
+        assert reader.state is LinkState.ENDED
+
+
+def test_half_frames_cost_only_themselves():
+    reader = sim_reader("name=half&half=0.05&speed=20")
+    reader.start()
+    wait_for(lambda: reader.counters.frames > 4000)
+    reader.close()
+    rig = rig_of("sim://cvg25?name=half&half=0.05&speed=20")
+    events = reader.drain()
+    _, data = samples(events)
+    whole = rig_of("sim://cvg25?name=whole&speed=max")
+    reference = make_decoder(CVG).feed(whole.produce(len(data) + len(rig.damaged())))
+    _, expected = samples(reference)
+    kept = np.delete(expected, rig.damaged()[rig.damaged() < len(expected)], axis=0)
+    assert len(rig.damaged()) > 100
+    assert np.array_equal(data, kept[: len(data)])
+
+
+def test_busy_port_is_said():
+    with PtyProcess("sim://cvg25") as rig:
+        first = Reader(opener(rig.port, CVG.port), make_decoder(CVG))
+        first.start()
+        wait_for(lambda: first.counters.frames > 10)
+        (ended,) = finish(Reader(opener(rig.port, CVG.port), make_decoder(CVG)))
+        assert isinstance(ended, Ended)
+        assert "busy" in str(ended.error)
+        first.close()
+
+
+def test_a_hundred_openings_leave_nothing_behind():
+    def open_files() -> int:
+        return len(list(Path("/proc/self/fd").iterdir()))
+
+    with PtyProcess("sim://cvg25?rate=1000") as rig:
+        for turn in range(100):
+            if turn == 1:
+                files, threads = open_files(), threading.active_count()
+            reader = Reader(opener(rig.port, CVG.port), make_decoder(CVG))
+            reader.start()
+            if turn % 10 == 0:
+                wait_for(lambda reader=reader: reader.counters.frames > 10)
+            reader.close()
+            assert isinstance(reader.drain()[-1], Ended)
+        assert open_files() == files
+        assert threading.active_count() == threads
+
+
+def test_replay_gives_the_same_events(tmp_path):
+    path = tmp_path / "run.calrec"
+    url = "name=recorded&speed=10&bit_error=1e-4&garbage=0.01&half=0.01"
+    reader = sim_reader(url, raw_log=RawLog(path, {"profile": "cvgx48"}))
+    reader.start()
+    wait_for(lambda: reader.counters.frames > 3000)
+    reader.close()
+    original = reader.drain()
+    again = Reader(opener(f"replay://{path}?speed=max"), make_decoder(CVG))
+    replayed = finish(again)
+    assert replayed[-1] == Ended(None)
+    for one, other in zip(samples(original), samples(replayed), strict=True):
+        assert np.array_equal(one, other)
+    for kind in (Garbage, BadChecksum, Lost):
+        counts = [sum(e.count for e in events if isinstance(e, kind)) for events in
+                  (original, replayed)]  # fmt: skip
+        assert counts[0] == counts[1] > 0
+
+
+def test_replay_keeps_the_recorded_times(tmp_path):
+    path = tmp_path / "run.calrec"
+    log = RawLog(path, {})
+    zero = time.monotonic()
+    for step in range(5):
+        log.write(b"abcd", zero + step * 0.2)
+    log.close()
+    for speed, expected in ((1.0, 0.8), (4.0, 0.2)):
+        began = time.monotonic()
+        events = finish(Reader(opener(f"replay://{path}?speed={speed}"), Letters()))
+        assert time.monotonic() - began == pytest.approx(expected, abs=0.15)
+        assert len(samples(events)[0]) == 20
+
+
+def test_replay_of_what_is_no_log(tmp_path):
+    path = tmp_path / "x.calrec"
+    path.write_bytes(b"no log at all" * 100)
+    (ended,) = finish(Reader(opener(f"replay://{path}"), Letters()))
+    assert isinstance(ended, Ended)
+    assert "CALREC1" in str(ended.error)
+    (ended,) = finish(Reader(opener(f"replay://{path}.none"), Letters()))
+    assert isinstance(ended, Ended)
+    assert "no such port" in str(ended.error)
+
+
+def test_a_failing_disk_does_not_stop_the_samples(tmp_path, monkeypatch):
+    log = RawLog(tmp_path / "run.calrec", {})
+    reader = sim_reader("name=disk&speed=5", raw_log=log)
+    reader.start()
+    wait_for(lambda: reader.counters.frames > 50)
+    assert reader.storage_error is None
+    reader.sync()
+
+    def full(_self, _tag, _payload):
+        raise StorageError("cannot be written: No space left on device")
+
+    with monkeypatch.context() as broken:
+        broken.setattr(BlockWriter, "append", full)
+        wait_for(lambda: reader.storage_error is not None)
+        frames = reader.counters.frames
+        wait_for(lambda: reader.counters.frames > frames + 200)
+        with pytest.raises(StorageError, match="No space left"):
+            reader.sync()
+    wait_for(lambda: reader.storage_error is None)
+    reader.close()
+    raw = b"".join(part.data for part in read_rawlog(log.path) if isinstance(part, Chunk))
+    assert len(raw) == reader.counters.bytes
+
+
+RECORDER = """
+import sys, time
+from pathlib import Path
+from drivers.decoders import make_decoder
+from drivers.rawlog import RawLog
+from drivers.reader import Reader
+from drivers.transport import opener
+from drivers.virtual.address import rig_of
+url = "sim://cvg25?speed=20&seed=9"
+profile = rig_of(url).profile
+log = RawLog(Path(sys.argv[1]), {})
+reader = Reader(opener(url, profile.port), make_decoder(profile), log)
+reader.start()
+while True:
+    seen = sum(len(e.index) for e in reader.drain() if hasattr(e, "index"))
+    sys.stdout.write(f"{seen}\\n")
+    sys.stdout.flush()
+    time.sleep(0.02)
+"""
+
+
+def test_killed_recorder_has_stored_every_sample_that_it_showed(tmp_path):
+    path = tmp_path / "run.calrec"
+    process = subprocess.Popen(
+        [sys.executable, "-c", RECORDER, str(path)], stdout=subprocess.PIPE, text=True
+    )
+    assert process.stdout is not None
+    shown = 0
+    while shown < 3000:
+        shown += int(process.stdout.readline())
+    process.send_signal(signal.SIGKILL)
+    shown += sum(map(int, process.stdout.read().split()))
+    process.wait()
+    process.stdout.close()
+    decoder: Decoder = make_decoder(CVG)
+    events: list[Event] = []
+    for part in read_rawlog(Path(path)):
+        if isinstance(part, Chunk):
+            events += decoder.feed(part.data)
+    index, data = samples(events)
+    assert len(index) >= shown
+    assert np.all(np.diff(index) == 1)
+    same = make_decoder(CVG).feed(rig_of("sim://cvg25?speed=max&seed=9").produce(len(data)))
+    assert np.array_equal(data, samples(same)[1])
