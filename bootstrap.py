@@ -329,12 +329,15 @@ def bench(environment: Environment, arguments: list[str]) -> int:
         with subprocess.Popen(
             command, env=environ, cwd=environment.root, stdout=subprocess.PIPE, encoding="utf-8"
         ) as process:
+            lines: list[str] = []
             for line in process.stdout or ():
                 print(line, end="", flush=True)
-                missed += line.rstrip().endswith("MISSED")
-        if process.returncode != 0:
-            say(f"{script.stem} ended with exit code {process.returncode}")
-            missed += 1
+                lines.append(line.rstrip())
+        here = sum(line.endswith("MISSED") for line in lines)
+        if process.returncode != 0 and here == 0:
+            say(f"{script.stem} broke off with exit code {process.returncode}")
+            here = 1
+        missed += here
     say(f"{missed} missed")
     return 1 if missed else 0
 

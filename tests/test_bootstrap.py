@@ -237,7 +237,9 @@ def test_missed_targets_are_counted(
     folder = checkout.root / "tests" / "benchmarks"
     folder.mkdir(parents=True)
     (folder / "bench_fast.py").write_text("print('decode 120 MB/s | - | - | 100 | ok')", "utf-8")
-    (folder / "bench_slow.py").write_text("print('fit 9 ms | - | - | 2 | MISSED')", "utf-8")
+    slow = "print('fit 9 ms | - | - | 2 | MISSED'); raise SystemExit(1)"
+    (folder / "bench_slow.py").write_text(slow, "utf-8")
+    (folder / "bench_torn.py").write_text("raise SystemExit(3)", "utf-8")
     monkeypatch.setattr(checkout, "prepare", lambda group: None)
     monkeypatch.setattr(bootstrap, "provide_libraries", lambda environ: None)
     monkeypatch.setattr(checkout, "python", Path(sys.executable))
@@ -245,4 +247,5 @@ def test_missed_targets_are_counted(
     assert bootstrap.bench(checkout, []) == 1
     text = capsys.readouterr().out
     assert "fit 9 ms" in text
-    assert "bootstrap: 1 missed" in text
+    assert "bench_torn broke off with exit code 3" in text
+    assert text.endswith("bootstrap: 2 missed\n")
