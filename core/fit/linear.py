@@ -25,7 +25,7 @@ from core.model.sensor_model import SensorModel
 from core.model.stimulus import Stimulus
 from core.samples.run import Conditions
 
-_FREE = 1e-9
+_FREE = 1e-11
 
 
 @dataclass(frozen=True, slots=True, eq=False)
