@@ -46,6 +46,7 @@ class Profile:
     stream : how its bytes are laid out: fixed frames, text lines, or a protocol decoder
     commands : what can be sent to it, by name
     nominal_hz : declared samples per second; 0 where the file does not say
+    text : the file as it was read, to be kept with whatever was measured through it
     """
 
     id: str
@@ -55,6 +56,7 @@ class Profile:
     stream: FrameSpec | LineSpec | ProtocolSpec
     commands: Mapping[str, Command]
     nominal_hz: float
+    text: str
 
     @property
     def name(self) -> str:
@@ -124,7 +126,7 @@ def parse_profile(
     checksum = stream.checksum if isinstance(stream, FrameSpec) else None
     commands = read_commands(top.tables("command"), checksum)
     top.done()
-    return Profile(Path(path).stem, device, port, constants, stream, commands, nominal_hz)
+    return Profile(Path(path).stem, device, port, constants, stream, commands, nominal_hz, text)
 
 
 def load_profile(path: Path | str, params: Mapping[str, float] | None = None) -> Profile:
