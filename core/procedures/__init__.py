@@ -2,6 +2,8 @@
 
 measuring
     `Measuring`: choose, settle, accumulate, check, accept; by hand or hands-free.
+walk
+    The walk made from a plan and the channels of a device.
 recognise
     Does the mean fit the chosen position, or another one.
 calibration, triad

@@ -31,6 +31,8 @@ class Entry:
 
 COMMANDS = {
     "ports": Entry("gui.commands.ports", "list the serial ports, the likeliest device first"),
+    "scan": Entry("gui.commands.scan", "find out which device is at which port"),
+    "record": Entry("gui.commands.record", "record the raw bytes of a device"),
 }
 
 
