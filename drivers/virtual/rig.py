@@ -4,7 +4,6 @@ The rig lives in the thread that reads its port. The other threads give orders a
 snapshots; orders are carried out before the next sample.
 """
 
-import math
 import threading
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
@@ -116,7 +115,7 @@ class Rig:
         self._line = Line(line)
         self._answering = Answering(self.profile, device.identity, device.reply_bytes)
         self._orders: SimpleQueue[tuple[float, _Order]] = SimpleQueue()
-        self._agenda: list[tuple[float, _Order]] = []
+        self._agenda: list[tuple[int, _Order]] = []
         self._faults = Faults()
         self._plugged = True
         self._next = 0
@@ -222,19 +221,15 @@ class Rig:
 
     def _obey(self) -> None:
         """Carry out the orders whose time has come, in the order of their times."""
-        now = self._bench.time_s
         while not self._orders.empty():
             after_s, order = self._orders.get()
-            self._agenda.append((now + after_s, order))
+            self._agenda.append((self._next + round(after_s * self.rate_hz), order))
         self._agenda.sort(key=lambda entry: entry[0])
-        while self._agenda and self._agenda[0][0] <= now:
+        while self._agenda and self._agenda[0][0] <= self._next:
             self._agenda.pop(0)[1](self._bench)
 
     def _until_next_order(self) -> int:
-        """Samples until something is to be done, at least one."""
-        if not self._agenda:
-            return _MOST
-        return max(1, math.ceil((self._agenda[0][0] - self._bench.time_s) * self.rate_hz))
+        return self._agenda[0][0] - self._next if self._agenda else _MOST
 
     def _piece(self, count: int) -> bytes:
         data = self._unit.sends(self._bench.stimulus(count), count)
