@@ -78,6 +78,10 @@ class SampleCounter:
         self._next = int(index[-1]) + 1
         return index, events
 
+    def settle(self, step: int) -> None:
+        """Take over a step that the device has told."""
+        self._given = self.step = step
+
     def _regular(self, counts: IntArray) -> IntArray | None:
         """Return ones if all frames follow each other by the known step, else None."""
         if not self.step or self._last < 0 or counts.min() < 0:

@@ -9,7 +9,12 @@ from drivers.frame import FrameDecoder
 from drivers.line import LineDecoder
 from drivers.profile import Profile
 from drivers.profile_types import FrameSpec, LineSpec
+from drivers.protocols.cvg12 import Cvg12Decoder
 from drivers.protocols.inertial import InertialDecoder
+from drivers.protocols.stim300 import Stim300Decoder
+from drivers.protocols.vectornav import VectorNavDecoder
+from drivers.protocols.vectornav_ascii import VectorNavAsciiDecoder
+from drivers.protocols.xsens import XsensDecoder
 
 
 class Decoder(Protocol):
@@ -35,7 +40,12 @@ class Decoder(Protocol):
 
 
 DECODERS: Mapping[str, Callable[[Profile], Decoder]] = {
+    "cvgx12": Cvg12Decoder,
     "inertial_labs": InertialDecoder,
+    "stim300": Stim300Decoder,
+    "vectornav_ascii": VectorNavAsciiDecoder,
+    "vectornav_binary": VectorNavDecoder,
+    "xsens_mtdata2": XsensDecoder,
 }
 """Decoders of [protocol] sections by their name."""
 

@@ -35,12 +35,15 @@ class Shape:
     Parameters
     ----------
     starts : for each of the first bytes the values that may stand there; None for any
-    header : bytes that are needed to know the length, at least those of `starts`
+    header : most bytes that tell the length, at least those of `starts`
     longest : bytes of the longest frame
     lengths : length of every frame, or (n, header) uint8 -> (n,) whole lengths, 0 for impossible
     intact : (n, length + follow) uint8 -> (n,) which of them are frames
     tail : bytes that may stand behind a frame without being garbage
     follow : bytes behind a frame that `intact` must see, for frames without a checksum
+    least : fewest bytes that tell the length, 0 for `header`; where only these have come, or the
+        frame ends within the header, `lengths` sees zeros for the others, and where it needed
+        them it must tell a length that reaches beyond what it needed
     """
 
     starts: tuple[tuple[int, ...] | None, ...]
@@ -50,6 +53,7 @@ class Shape:
     intact: Callable[[ByteArray], BoolArray]
     tail: bytes = b""
     follow: int = 0
+    least: int = 0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -143,6 +147,7 @@ class FrameFinder:
     def __init__(self, shape: Shape) -> None:
         self._shape = shape
         self._fixed = shape.lengths if isinstance(shape.lengths, int) else 0
+        self._least = shape.least or shape.header
         self._tail = np.frombuffer(shape.tail, dtype=np.uint8)
         self._carry = b""
         self._passed = 0
@@ -216,15 +221,19 @@ class FrameFinder:
         for byte, allowed in zip(head.tolist(), shape.starts, strict=False):
             if allowed is not None and byte not in allowed:
                 return False
-        if len(head) < shape.header:
+        if len(head) < self._least:
             return True
-        length = self._fixed or int(self._lengths(head.reshape(1, -1))[0])
+        length = int(self._lengths(head.reshape(1, -1))[0])
         return length > 0 and cursor + length + shape.follow > len(buffer)
 
     def _lengths(self, heads: ByteArray) -> IntArray:
+        """Return the whole lengths by headers, which may be cut off; (n, any) uint8 -> (n,)."""
         if isinstance(self._shape.lengths, int):
             return np.full(len(heads), self._fixed)
-        return self._shape.lengths(heads)
+        missing = self._shape.header - heads.shape[1]
+        if missing > 0:
+            heads = np.pad(heads, ((0, 0), (0, missing)))
+        return self._shape.lengths(heads[:, : self._shape.header])
 
     def _accept(self, found: _Found, starts: IntArray, lengths: IntArray, gaps: IntArray) -> None:
         gaps[0] += self._gap
@@ -270,7 +279,7 @@ class FrameFinder:
                 continue
             good = good & _among(rows[:, position], allowed)
         if not self._fixed:
-            good = good & (self._lengths(rows[:, : self._shape.header]) == length)
+            good = good & (self._lengths(rows) == length)
         return good
 
     def _last_of_stream(self, buffer: ByteArray, cursor: int, found: _Found) -> int:
@@ -294,7 +303,7 @@ class FrameFinder:
         shape, size = self._shape, len(window)
         first = shape.starts[0]
         places = np.flatnonzero(_among(window, first)) if first is not None else np.arange(size)
-        split = int(np.searchsorted(places, size - shape.header, side="right"))
+        split = int(np.searchsorted(places, size - self._least, side="right"))
         places, late = places[:split], places[split:]
         for position, allowed in enumerate(shape.starts[1:], start=1):
             if allowed is not None:
@@ -307,8 +316,8 @@ class FrameFinder:
                 for byte, allowed in zip(window[place:].tolist(), shape.starts, strict=False)
             )
         ]
-        heads = window[places[:, None] + np.arange(shape.header)]
-        lengths = self._lengths(heads)
+        padded = np.concatenate((window, np.zeros(shape.header, dtype=np.uint8)))
+        lengths = self._lengths(padded[places[:, None] + np.arange(shape.header)])
         possible = lengths > 0
         return places[possible], lengths[possible], np.array(cut, dtype=np.int64)
 

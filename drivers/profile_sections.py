@@ -22,7 +22,7 @@ from drivers.profile_types import (
     PortSettings,
     ProtocolSpec,
 )
-from drivers.protocols.options import PROTOCOL_OPTIONS
+from drivers.protocols.options import PROTOCOL_OPTIONS, Option
 from drivers.toml_table import Table
 
 KINDS = ("gyro", "accel", "imu", "ahrs", "adc")
@@ -31,6 +31,13 @@ _ROLE = re.compile(
     r"(acc|rate|mag|angle|dangle|dvel)(\.[a-z][a-z0-9]*)?|adc\.\d+|incl\.[xyz]"
     r"|temp(\.[a-z][a-z0-9]*)*(\.\d+)?|counter|time|status|"
 )
+_UNITS = {
+    "acc": ("m/s^2", "code", "V"),
+    "rate": ("deg/s", "code", "V"),
+    "angle": ("deg",),
+    "temp": ("degC", "code", "V"),
+}
+"""Units that the rest of the program understands, by the first word of a role."""
 _ENDIANS = ("little", "big")
 _LONGEST_FRAME = 4096
 
@@ -177,9 +184,12 @@ def _channels(
     for key, given in (("units", units), ("roles", roles)):
         if len(given) != len(names):
             table.fail(key, f"has {len(given)} entries for {len(names)} names")
-    for role in roles:
+    for role, unit in zip(roles, units, strict=True):
         if not _ROLE.fullmatch(role):
             table.fail("roles", f'"{role}" is no role')
+        allowed = _UNITS.get(role.split(".")[0], (unit,))
+        if unit not in allowed:
+            table.fail("roles", f'"{role}" needs the unit {" or ".join(allowed)}, not "{unit}"')
     if any(not name.strip() for name in names):
         table.fail("names", "a name must not be empty")
     return tuple(map(Channel, names, units, roles))
@@ -304,10 +314,18 @@ def read_line(table: Table, params: Mapping[str, float]) -> LineSpec:
     return spec
 
 
+def _option(table: Table, key: str, known: Option) -> int:
+    value = table.integer(key, known.usual)
+    if value not in known.allowed:
+        allowed = ", ".join(f"{one} (0x{one:02X})" for one in sorted(known.allowed))
+        table.fail(key, f"{value} is not one of {allowed}")
+    return value
+
+
 def read_protocol(table: Table) -> ProtocolSpec:
     """Read [protocol]: the decoder's name and its own options."""
     name = table.choice("name", PROTOCOL_OPTIONS)
-    options = {key: table.integer(key, usual) for key, usual in PROTOCOL_OPTIONS[name].items()}
+    options = {key: _option(table, key, known) for key, known in PROTOCOL_OPTIONS[name].items()}
     table.done()
     return ProtocolSpec(name, options)
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from core.arrays import FloatArray, IntArray
 from core.samples.block import Channel, SampleBlock
+from drivers.columns import Columns
 from drivers.counter import SampleCounter
 from drivers.events import BadChecksum, BadValues, Event, Garbage, Message
 from drivers.finder import Batch, BoolArray, ByteArray, FrameFinder, Shape
@@ -48,7 +49,7 @@ class StreamDecoder(ABC):
     shape : what the frames look like
     counter : numbers the samples
     nominal_hz : declared samples per second, 0 if unknown
-    channels : columns that are known before the first frame
+    expected : columns until the first frame tells
     """
 
     def __init__(
@@ -56,18 +57,17 @@ class StreamDecoder(ABC):
         shape: Shape,
         counter: SampleCounter,
         nominal_hz: float,
-        channels: tuple[Channel, ...] = (),
+        expected: tuple[Channel, ...] = (),
     ) -> None:
         self._finder = FrameFinder(shape)
         self._counter = counter
         self._nominal_hz = nominal_hz
-        self._channels = channels
-        self._columns = {channel.name: n for n, channel in enumerate(channels)}
+        self._columns = Columns(expected)
 
     @property
     def channels(self) -> tuple[Channel, ...]:
         """The columns of the next block; may grow while the device is being heard."""
-        return self._channels
+        return self._columns.channels
 
     @property
     def rate(self) -> float:
@@ -108,6 +108,10 @@ class StreamDecoder(ABC):
         """Return which samples are possible; None for all."""
         del data
 
+    def fill(self, data: FloatArray) -> None:
+        """Replace what samples do not hold, in place; nothing unless a protocol asks for it."""
+        del data
+
     def _convert(self, batch: Batch, events: list[Event]) -> None:
         if batch.garbage:
             events.append(Garbage(batch.garbage, batch.sample))
@@ -136,7 +140,7 @@ class StreamDecoder(ABC):
 
     def _block(self, batch: Batch, begin: int, end: int, events: list[Event]) -> int:
         first = self.layout(self._frame(batch, begin))
-        self._widen(first)
+        self._columns.take(first.channels)
         groups: list[tuple[Layout, IntArray]] = []
         left = np.arange(begin, end)
         layout = first
@@ -147,7 +151,7 @@ class StreamDecoder(ABC):
             if not len(left):
                 break
             layout = self.layout(self._frame(batch, int(left[0])))
-            if any(channel.name not in self._columns for channel in layout.channels):
+            if self._columns.lack(layout.channels):
                 end = int(left[0])
                 groups = [(known, where[where < end]) for known, where in groups]
                 break
@@ -164,17 +168,6 @@ class StreamDecoder(ABC):
         found = batch.buffer[batch.starts[frames[alike], None] + places]
         alike[alike] = (found == values).all(axis=1)
         return alike
-
-    def _widen(self, layout: Layout) -> None:
-        """Add the channels of a layout to the columns."""
-        channels = list(self._channels)
-        for channel in layout.channels:
-            if channel.name not in self._columns:
-                self._columns[channel.name] = len(channels)
-                channels.append(channel)
-            elif channels[self._columns[channel.name]] != channel:
-                channels[self._columns[channel.name]] = channel
-        self._channels = tuple(channels)
 
     def _emit(
         self, batch: Batch, begin: int, end: int, groups: list[tuple[Layout, IntArray]],
@@ -195,6 +188,7 @@ class StreamDecoder(ABC):
         if len(holds) < len(groups):
             frames = np.sort(np.concatenate([where for _, where in holds]))
         data, counts = self._values(batch, frames, holds)
+        self.fill(data)
         losses = self._losses(batch, frames)
         index, said = self._counter.number(counts, losses)
         possible = self.accept(data)
@@ -204,22 +198,21 @@ class StreamDecoder(ABC):
         events.extend(said)
         if len(data):
             data.flags.writeable = index.flags.writeable = False
-            events.append(SampleBlock(self._channels, index, data, self.rate))
+            events.append(SampleBlock(self.channels, index, data, self.rate))
 
     def _values(
         self, batch: Batch, frames: IntArray, groups: list[tuple[Layout, IntArray]]
     ) -> tuple[FloatArray, IntArray | None]:
-        if len(groups) == 1 and len(groups[0][0].channels) == len(self._channels):
+        if len(groups) == 1 and groups[0][0].channels == self.channels:
             layout = groups[0][0]
             rows = batch.rows(frames, int(batch.lengths[frames].min()))
             return layout.values(rows), None if layout.counts is None else layout.counts(rows)
-        data = np.full((len(frames), len(self._channels)), np.nan)
+        data = np.full((len(frames), len(self.channels)), np.nan)
         counts = np.full(len(frames), -1)
         for layout, where in groups:
             rows = batch.rows(where, int(batch.lengths[where].min()))
             at = np.searchsorted(frames, where)
-            columns = np.array([self._columns[channel.name] for channel in layout.channels])
-            data[at[:, None], columns] = layout.values(rows)
+            data[at[:, None], self._columns.places(layout.channels)] = layout.values(rows)
             if layout.counts is not None:
                 counts[at] = layout.counts(rows)
         return data, counts

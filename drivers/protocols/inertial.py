@@ -15,6 +15,7 @@ import numpy as np
 
 from core.arrays import IntArray
 from core.samples.block import Channel
+from core.units import STANDARD_GRAVITY
 from drivers.checksums import Checksum, ChecksumSpec
 from drivers.counter import SampleCounter
 from drivers.events import Message
@@ -31,6 +32,8 @@ _LENGTH = LengthSpec(at=4, size=2, endian="little", add=2, mul=1, low=9, high=10
 _ALIGNMENT = (50, 128)
 """Payloads of the report that comes once the initial alignment is done."""
 _UDD = 0x95
+_MICRO_G = 1e-6 * STANDARD_GRAVITY
+_ACC_BIAS = tuple(Channel(f"acc_bias_{axis}", "m/s^2") for axis in "xyz")
 _DEVICE_INFO = 0x12
 _FIRMWARE = 0x1F
 
@@ -55,7 +58,7 @@ def _angles(kinds: tuple[str, str, str], at: int, scale: float) -> tuple[FieldSp
 def _triads(at: int, kg: float, ka: float) -> tuple[FieldSpec, ...]:
     return (
         _three("gyro", "i16", at, 1 / kg, "deg/s", "rate"),
-        _three("acc", "i16", at + 6, 1 / ka, "g", "acc"),
+        _three("acc", "i16", at + 6, STANDARD_GRAVITY / ka, "m/s^2", "acc"),
         _three("mag", "i16", at + 12, 10.0, "nT", "mag"),
     )
 
@@ -80,7 +83,7 @@ def message_fields(message: int, kg: float, ka: float) -> tuple[FieldSpec, ...]:
             return _triads(6, kg, ka) + _supply(32, 34)
         case 0x8F:
             gyro = _three("gyro", "i32", 6, 1e-5, "deg/s", "rate")
-            return (gyro, _three("acc", "i32", 18, 1e-6, "g", "acc"), *_supply(34, 36))
+            return (gyro, _three("acc", "i32", 18, _MICRO_G, "m/s^2", "acc"), *_supply(34, 36))
         case _:
             return ()
 
@@ -97,13 +100,13 @@ def _udd_item(item: int, at: int, kg: float, ka: float) -> tuple[FieldSpec, ...]
         0x12: (FieldSpec(tuple(Channel(f"vel_{n}", "m/s") for n in "enu"), "i32", at, 0.01),),
         0x20: (_three("gyro", "i16", at, 1 / kg, "deg/s", "rate"),),
         0x21: (_three("gyro", "i32", at, 1e-5, "deg/s", "rate"),),
-        0x22: (_three("acc", "i16", at, 1 / ka, "g", "acc"),),
-        0x23: (_three("acc", "i32", at, 1e-6, "g", "acc"),),
+        0x22: (_three("acc", "i16", at, STANDARD_GRAVITY / ka, "m/s^2", "acc"),),
+        0x23: (_three("acc", "i32", at, _MICRO_G, "m/s^2", "acc"),),
         0x24: (_three("mag", "i16", at, 10.0, "nT", "mag"),),
         0x25: (_one("p_bar", "u16", at, 2.0, "Pa"), _one("h_bar", "i32", at + 2, 0.01, "m")),
         0x26: (
             FieldSpec(tuple(Channel(f"gyro_bias_{a}", "deg/s") for a in "xyz"), "i8", at, 2e-4),
-            FieldSpec(tuple(Channel(f"acc_bias_{a}", "g") for a in "xyz"), "i8", at + 3, 2e-5),
+            FieldSpec(_ACC_BIAS, "i8", at + 3, 2e-5 * STANDARD_GRAVITY),
             _one("bias_reserved", "u8", at + 6, 1.0, "code"),
         ),
         0x3C: (_one("gps_week", "u16", at, 1.0, "week"),),
