@@ -59,7 +59,8 @@ def test_uncertainty_of_the_rate(conditions: Conditions, expected: list[float]):
 
 
 def test_a_run_without_rates_has_no_table():
-    bare = Stimulus(*np.zeros((4, 2, 3)))
+    none = np.zeros((2, 3))
+    bare = Stimulus(none, none, none, none)
     assert not rate_uncertainty(bare, Conditions(rate_u_dps=1.0)).any()
 
 
