@@ -61,20 +61,19 @@ class SampleCounter:
         index : (n,) int64, strictly increasing over all calls
         events : `Lost`, and a `Message` for each restart of the counter
         """
+        steps = np.ones(len(losses), dtype=np.int64)
+        events: list[Event] = []
         if counts is None or not self._bits:
-            steps = 1 + losses
+            steps += losses
             if self._next == 0:
                 steps[0] = 1
         else:
-            regular = self._regular(counts)
-            if regular is None:
-                return self._number_slowly(counts, losses)
-            steps = regular
+            self._count(counts, losses, steps, events)
         index = self._next - 1 + np.cumsum(steps)
-        events: list[Event] = [
+        events.extend(
             Lost(int(steps[position]) - 1, int(index[position]))
             for position in np.flatnonzero(steps > 1).tolist()
-        ]
+        )
         self._next = int(index[-1]) + 1
         return index, events
 
@@ -82,34 +81,49 @@ class SampleCounter:
         """Take over a step that the device has told."""
         self._given = self.step = step
 
-    def _regular(self, counts: IntArray) -> IntArray | None:
-        """Return ones if all frames follow each other by the known step, else None."""
-        if not self.step or self._last < 0 or counts.min() < 0:
-            return None
-        before = np.concatenate(([self._last], counts[:-1]))
-        ratios = np.rint((counts - before) % self._modulus / self.step)
-        if not bool(np.all(ratios == 1)):
-            return None
-        self._last = int(counts[-1])
-        self._agreeing = 0
-        return np.ones(len(counts), dtype=np.int64)
+    def _count(
+        self, counts: IntArray, losses: IntArray, steps: IntArray, events: list[Event]
+    ) -> None:
+        """Set the steps by the counter."""
+        at = 0
+        while at < len(counts):
+            if self.step and self._last >= 0 and counts[at] >= 0:
+                at = self._stretch(counts, at, steps, events)
+            else:
+                first = self._next == 0 and at == 0
+                steps[at] = self._single(int(counts[at]), 0 if first else int(losses[at]), events)
+                at += 1
 
-    def _number_slowly(self, counts: IntArray, losses: IntArray) -> tuple[IntArray, list[Event]]:
-        index: list[int] = []
-        events: list[Event] = []
-        for count, loss in zip(counts.tolist(), losses.tolist(), strict=True):
-            step = 1
-            if count < 0 or not self.step:
-                step += loss if self._next else 0
-            if count >= 0:
-                if self._last >= 0:
-                    step = self._advance(count, step, events)
-                self._last = count
-            if step > 1:
-                events.append(Lost(step - 1, self._next + step - 1))
-            index.append(self._next + step - 1)
-            self._next = index[-1] + 1
-        return np.array(index, dtype=np.int64), events
+    def _single(self, count: int, loss: int, events: list[Event]) -> int:
+        """Return the step of a frame without counter, or while the step is not known."""
+        step = 1 + loss if count < 0 or not self.step else 1
+        if count >= 0:
+            if self._last >= 0:
+                step = self._advance(count, step, events)
+            self._last = count
+        return step
+
+    def _stretch(self, counts: IntArray, at: int, steps: IntArray, events: list[Event]) -> int:
+        """Set the steps from one frame on; return where the counter ends or its step changes."""
+        missing = np.flatnonzero(counts[at:] < 0)
+        end = at + int(missing[0]) if len(missing) else len(counts)
+        known = self.step
+        before = np.concatenate(([self._last], counts[at : end - 1]))
+        regular = np.rint((counts[at:end] - before) % self._modulus / known) == 1
+        previous = at - 1
+        for position in (at + np.flatnonzero(~regular)).tolist():
+            if position > previous + 1:
+                self._agreeing = 0
+            self._last = int(before[position - at])
+            steps[position] = self._advance(int(counts[position]), 1, events)
+            self._last = int(counts[position])
+            previous = position
+            if self.step != known:
+                return position + 1
+        if previous < end - 1:
+            self._agreeing = 0
+        self._last = int(counts[end - 1])
+        return end
 
     def _advance(self, count: int, guess: int, events: list[Event]) -> int:
         """Return by how many samples a frame follows the one before."""

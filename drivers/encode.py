@@ -7,10 +7,10 @@ import numpy as np
 from core.arrays import FloatArray, IntArray
 from drivers.checksums import Checksum, ChecksumSpec
 from drivers.fields import FieldTable
-from drivers.finder import ByteArray
 from drivers.profile import Profile
 from drivers.profile_types import CounterSpec, FieldSpec, FrameSpec, LengthSpec, LineSpec
 from drivers.protocols.inertial import CHECKSUM, HEADER, message_fields
+from drivers.shape import ByteArray
 
 
 def encode(profile: Profile, index: IntArray, data: FloatArray) -> bytes:

@@ -8,8 +8,8 @@ from numpy.typing import NDArray
 
 from core.arrays import FloatArray, IntArray
 from core.samples.block import Channel
-from drivers.finder import ByteArray
 from drivers.profile_types import TYPES, FieldSpec
+from drivers.shape import ByteArray
 
 _KIND = {"u": "u", "i": "i", "f": "f"}
 

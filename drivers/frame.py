@@ -9,8 +9,8 @@ from core.arrays import FloatArray, IntArray
 from drivers.checksums import Checksum
 from drivers.counter import SampleCounter
 from drivers.fields import FieldTable
-from drivers.finder import BoolArray, ByteArray, Shape
 from drivers.profile_types import FrameSpec, LengthSpec
+from drivers.shape import BoolArray, ByteArray, Shape
 from drivers.stream import Layout, StreamDecoder
 
 _NOWHERE = (np.empty(0, dtype=np.int64), np.empty(0, dtype=np.uint8))

@@ -12,7 +12,8 @@ from core.samples.block import Channel, SampleBlock
 from drivers.columns import Columns
 from drivers.counter import SampleCounter
 from drivers.events import BadChecksum, BadValues, Event, Garbage, Message
-from drivers.finder import Batch, BoolArray, ByteArray, FrameFinder, Shape
+from drivers.finder import FrameFinder
+from drivers.shape import Batch, BoolArray, ByteArray, Shape
 
 _PIECE = 1 << 18
 

@@ -14,8 +14,8 @@ from core.samples.block import Channel
 from drivers.checksums import CRC_PRESETS, Checksum, ChecksumSpec
 from drivers.counter import SampleCounter
 from drivers.events import Message
-from drivers.finder import ByteArray, Shape
 from drivers.profile import Profile
+from drivers.shape import ByteArray, Shape
 from drivers.stream import Layout, StreamDecoder
 
 LENGTH = 12

@@ -20,10 +20,10 @@ from drivers.checksums import Checksum, ChecksumSpec
 from drivers.counter import SampleCounter
 from drivers.events import Message
 from drivers.fields import FieldTable
-from drivers.finder import ByteArray, Shape
 from drivers.frame import told_lengths
 from drivers.profile import Profile
 from drivers.profile_types import TYPES, FieldSpec, LengthSpec
+from drivers.shape import ByteArray, Shape
 from drivers.stream import Layout, StreamDecoder
 
 HEADER = 6

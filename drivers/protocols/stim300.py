@@ -22,9 +22,9 @@ from drivers.checksums import CRC_PRESETS, Checksum, ChecksumSpec
 from drivers.counter import SampleCounter
 from drivers.events import Event, Message
 from drivers.fields import FieldTable
-from drivers.finder import Batch, BoolArray, ByteArray, Shape
 from drivers.profile import Profile
 from drivers.profile_types import FieldSpec
+from drivers.shape import Batch, BoolArray, ByteArray, Shape
 from drivers.stream import Layout, StreamDecoder
 
 CHECKSUM = ChecksumSpec(

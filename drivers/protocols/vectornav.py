@@ -20,9 +20,9 @@ from core.units import DEG_PER_RAD
 from drivers.checksums import CRC_PRESETS, Checksum, ChecksumSpec
 from drivers.counter import SampleCounter
 from drivers.fields import FieldTable
-from drivers.finder import ByteArray, Shape
 from drivers.profile import Profile
 from drivers.profile_types import FieldSpec
+from drivers.shape import ByteArray, Shape
 from drivers.stream import Layout, StreamDecoder
 
 CHECKSUM = ChecksumSpec(

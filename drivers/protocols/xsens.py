@@ -24,8 +24,8 @@ from core.units import DEG_PER_RAD
 from drivers.checksums import Checksum, ChecksumSpec
 from drivers.counter import SampleCounter
 from drivers.events import Message
-from drivers.finder import ByteArray, Shape
 from drivers.profile import Profile
+from drivers.shape import ByteArray, Shape
 from drivers.stream import Layout, StreamDecoder
 
 CHECKSUM = ChecksumSpec("sum8", start=1, stop=-1, at=-1, size=1, endian="big", negate=True)
