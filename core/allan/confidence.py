@@ -6,6 +6,7 @@ model. The lag-1 autocorrelation that frequency standards use is biased for bloc
 flicker and random walk of rate, so the slope is used here.
 """
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -36,13 +37,14 @@ def local_slopes(taus: FloatArray, deviation: FloatArray) -> FloatArray:
         Where the grid is too coarse for that span the two neighbours are used.
     """
     x, y = np.log(taus), np.log(deviation)
-    reach = np.log(SPAN) * (1.0 + 1e-9)
-    low = np.minimum(np.searchsorted(x, x - reach), np.maximum(np.arange(len(x)) - 1, 0))
-    high = np.maximum(
-        np.searchsorted(x, x + reach, side="right"), np.minimum(np.arange(len(x)) + 2, len(x))
-    )
+    reach = math.log(SPAN) * (1.0 + 1e-9)
+    count = len(x)
+    low: list[int] = np.searchsorted(x, x - reach).tolist()
+    high: list[int] = np.searchsorted(x, x + reach, side="right").tolist()
     slopes = np.empty_like(x)
-    for at, (start, stop) in enumerate(zip(low.tolist(), high.tolist(), strict=True)):
+    for at in range(count):
+        start = min(low[at], max(at - 1, 0))
+        stop = max(high[at], min(at + 2, count))
         from_mean = x[start:stop] - x[start:stop].mean()
         slopes[at] = (from_mean @ y[start:stop]) / (from_mean @ from_mean)
     return slopes

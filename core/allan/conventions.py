@@ -20,6 +20,7 @@ from core.units import (
     STANDARD_GRAVITY,
 )
 
+
 @dataclass(frozen=True, slots=True)
 class Convention:
     """One way to quote a coefficient: multiply it by `factor`.

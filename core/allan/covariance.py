@@ -10,6 +10,7 @@ R follows from the generalised autocovariance of phase s(t) (t in samples of dt)
 Q^2 at t = 0.
 """
 
+import math
 from functools import lru_cache
 
 import numpy as np
@@ -113,7 +114,7 @@ def _nodes(m1: int, m2: int) -> FloatArray:
     steps = np.concatenate(
         (
             np.arange(0.0, 2.0, 0.0625),
-            2.0 * 1.25 ** np.arange(np.log(15.0 * m2 / m1) / np.log(1.25)),
+            2.0 * 1.25 ** np.arange(math.ceil(math.log(15.0 * m2 / m1) / math.log(1.25))),
         )
     )
     steps = m1 * np.concatenate((-steps, steps))

@@ -85,8 +85,9 @@ def _thinned(curve: AllanCurve, shortest: float) -> IntArray:
     if len(inside) <= POINTS:
         return inside
     x = np.log(curve.taus[inside])
-    nearest = np.abs(x[:, np.newaxis] - np.linspace(x[0], x[-1], POINTS)[np.newaxis, :])
-    return inside[np.unique(nearest.argmin(axis=0))]
+    wanted = np.linspace(float(x[0]), float(x[-1]), POINTS)
+    nearest = np.abs(x[:, np.newaxis] - wanted[np.newaxis, :]).argmin(axis=0)
+    return inside[np.unique(nearest)]
 
 
 def _solve(columns: FloatArray, variance: FloatArray, weights: FloatArray) -> FloatArray:
@@ -110,6 +111,6 @@ def _sandwich(
     scale = np.sqrt((columns**2 * weights[:, np.newaxis]).sum(axis=0))
     design = columns / scale
     weighted = design * weights[:, np.newaxis]
-    gain = np.linalg.solve(design.T @ weighted, weighted.T)
-    inner = gain @ variance_covariance(model, m, pairs, 1.0 / rate) @ gain.T
-    return inner / np.outer(scale, scale)
+    gain: FloatArray = np.asarray(np.linalg.inv(design.T @ weighted), dtype=np.float64)
+    gain = gain @ weighted.T / scale[:, np.newaxis]
+    return gain @ variance_covariance(model, m, pairs, 1.0 / rate) @ gain.T

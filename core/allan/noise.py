@@ -14,11 +14,12 @@ from core.allan.coefficients import NoiseCoefficients, NoiseRow
 from core.allan.conventions import unit_of
 from core.allan.curve import with_model
 from core.allan.deviation import curve_of
+from core.allan.faults import Record
 from core.allan.graphical import read_curve
 from core.allan.leastsquares import fit_variance
 from core.allan.model import RANDOM, from_squares
 from core.allan.ramp import Ramp, fit_ramp
-from core.allan.record import GapPolicy, Record, survey
+from core.allan.record import GapPolicy, survey
 from core.allan.rows import graphical_rows, likelihood_rows, ramp_row, variance_rows
 from core.allan.spectrum import LARGEST, Spectrum, transform
 from core.allan.taus import averaging_factors
@@ -34,7 +35,7 @@ DISAGREE = 3.0
 """Standard uncertainties between two methods that are worth a note."""
 LINE = 1e-4
 """Probability that chance alone makes the highest bin of the spectrum as high as it is."""
-MISFIT = 1e-3
+MISFIT = 1e-4
 OUTPUTS: dict[str, tuple[str, ...]] = {"rate": RANDOM, "increment": (*RANDOM, "quantization")}
 """Noise terms by what the device sends: rate, or increments of angle (velocity) over dt."""
 
@@ -99,7 +100,7 @@ def fit_noise(
         model = replace(model, rate_ramp=abs(ramp.value))
 
     band = float(spectrum.edges[used - 1])
-    shortest = 1.0 / band if limited or spectrum.averaged > 1 else 0.0
+    shortest = 2.0 / band if limited or spectrum.averaged > 1 else 0.0
     rows = likelihood_rows(bins, best, terms, unit)
     rows.append(ramp_row(ramp, unit))
     rows.extend(variance_rows(fit_variance(curve, (*terms, "rate_ramp"), shortest), unit))
@@ -121,7 +122,7 @@ def _band_note(spectrum: Spectrum, band: float) -> Note:
         Severity.INFO,
         "band",
         f"the noise is not flat up to {spectrum.top:.4g} Hz (a filter in the sensor, a resonance, "
-        f"vibration); frequencies up to {band:.3g} Hz and tau from {1.0 / band:.3g} s were fitted",
+        f"vibration); frequencies up to {band:.3g} Hz and tau from {2.0 / band:.3g} s were fitted",
     )
 
 

@@ -1,31 +1,22 @@
 """Survey of a record before it is analysed: what is wrong with it is said, not turned into NaN."""
 
 import math
-from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
+from core.allan.faults import Record, Tally, chunks
 from core.allan.taus import SHORTEST_RECORD
 from core.arrays import FloatArray, IntArray, frozen_int
 from core.errors import FitError, Note, Severity
-
-Record = NDArray[Any]
-"""(n,) real numbers of any type; may be a memory map, it is read in chunks."""
 
 GapPolicy = Literal["refuse", "longest", "stretches"]
 """``"refuse"``: raise; ``"longest"``: analyse the longest gap-free stretch only; ``"stretches"``:
 no difference is taken across a gap, those of all stretches are pooled."""
 
-CHUNK = 65536
 JITTER = 0.25
 """Largest departure of a time stamp from the uniform grid, in sampling intervals."""
-STUCK = 100
-"""Shortest run of equal samples that can be called stuck."""
-PILE = 5
-"""Fewest samples at an extreme value that can be called clipping."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -61,12 +52,6 @@ class Survey:
         return start, stop
 
 
-def chunks(values: Record, start: int, stop: int) -> Iterator[tuple[int, FloatArray]]:
-    """Yield (position, float64 chunk) of values[start:stop]."""
-    for at in range(start, stop, CHUNK):
-        yield at, np.asarray(values[at : min(at + CHUNK, stop)], dtype=np.float64)
-
-
 def sample_index(time: FloatArray) -> tuple[IntArray, float]:
     """Turn time stamps into sample numbers on a uniform grid.
 
@@ -97,9 +82,8 @@ def sample_index(time: FloatArray) -> tuple[IntArray, float]:
         )
     middle = float(np.median(steps))
     index = np.concatenate(([0], np.cumsum(np.maximum(np.rint(steps / middle), 1.0))))
-    for _ in range(2):
-        interval = float((time[-1] - time[0]) / index[-1])
-        index = np.rint((time - time[0]) / interval)
+    interval = float(time[-1] - time[0]) / float(index[-1])
+    index = np.rint((time - time[0]) / interval)
     off = np.abs((time - time[0]) / interval - index)
     worst = int(off.argmax())
     if off[worst] > JITTER or np.any(np.diff(index) < 1.0):
@@ -138,7 +122,7 @@ def survey(values: Record, index: IntArray | None = None, gaps: GapPolicy = "ref
             f"the record has {counted} usable samples: an Allan curve needs at least "
             f"{SHORTEST_RECORD}; record longer"
         )
-    tally = _Tally()
+    tally = Tally()
     for start, stop in stretches.tolist():
         tally.break_run()
         for _, chunk in chunks(values, start, stop):
@@ -212,108 +196,3 @@ def _apply(gaps: GapPolicy, stretches: IntArray, lost: int, n: int, notes: list[
         )
     notes.append(Note(Severity.WARNING, "gaps", text))
     return stretches
-
-
-class _Tally:
-    """Extremes, mean, repetitions and wholeness of samples that come in chunks."""
-
-    __slots__ = (
-        "_last", "_longest", "_open", "_repeats", "_total", "count", "highest", "integral", "lowest",
-    )  # fmt: skip
-
-    def __init__(self) -> None:
-        self.count = 0
-        self._total = 0.0
-        self.lowest = math.inf
-        self.highest = -math.inf
-        self.integral = True
-        self._repeats = 0
-        self._longest = 1
-        self._open = 1
-        self._last = math.nan
-
-    @property
-    def mean(self) -> float:
-        return self._total / self.count
-
-    def break_run(self) -> None:
-        """Forget the last sample: the next one is not its neighbour."""
-        self._open = 1
-        self._last = math.nan
-
-    def add(self, chunk: FloatArray) -> None:
-        self.count += len(chunk)
-        self._total += float(chunk.sum())
-        self.lowest = min(self.lowest, float(chunk.min()))
-        self.highest = max(self.highest, float(chunk.max()))
-        if self.integral:
-            self.integral = bool(np.array_equal(chunk, np.rint(chunk)))
-        self._run(chunk)
-
-    def _run(self, chunk: FloatArray) -> None:
-        changed = chunk[1:] != chunk[:-1]
-        repeats = len(changed) - int(np.count_nonzero(changed))
-        joins = bool(chunk[0] == self._last)
-        self._repeats += repeats + joins
-        before = self._open if joins else 0
-        self._last = float(chunk[-1])
-        if repeats + before < STUCK // 2:
-            # No run here can matter; one that goes on is counted from here, too short by half of
-            # STUCK at most.
-            self._open = 1
-            return
-        ends = np.concatenate(([-1], np.flatnonzero(changed), [len(chunk) - 1]))
-        runs = np.diff(ends)
-        runs[0] += before
-        self._longest = max(self._longest, int(runs.max()))
-        self._open = int(runs[-1])
-
-    def notes(self, values: Record, stretches: IntArray) -> Iterator[Note]:
-        """Yield what looks wrong."""
-        share = self._repeats / self.count
-        # The longest of n geometric runs; slow drift over a coarse code lengthens it somewhat.
-        expected = 1.0
-        if 0.0 < share < 1.0:
-            expected += math.log(max(self.count * (1.0 - share), 2.0)) / -math.log(share)
-        if self._longest >= max(STUCK, 10.0 * expected):
-            yield Note(
-                Severity.WARNING,
-                "stuck",
-                f"{self._longest} samples in succession are equal, where at most "
-                f"{10.0 * expected:.0f} could be expected: the channel was stuck for a time",
-            )
-        for extreme, sign in ((self.lowest, -1.0), (self.highest, 1.0)):
-            piled, beside = _pile(values, stretches, extreme, sign)
-            if piled >= PILE and piled > 2 * beside:
-                yield Note(
-                    Severity.WARNING,
-                    "clipped",
-                    f"{piled} samples lie exactly at the extreme value {extreme:.9g}, but only "
-                    f"{beside} at the value beside it: the signal is clipped, noise is understated",
-                )
-
-
-def _pile(values: Record, stretches: IntArray, extreme: float, sign: float) -> tuple[int, int]:
-    """Count the samples at an extreme and at the distinct value next to it.
-
-    Nothing piles up in a code of two values, whatever their counts: (0, 0).
-    """
-    spans = [(start, stop) for start, stop in stretches.tolist()]
-    piled = 0
-    for span in spans:
-        for _, chunk in chunks(values, *span):
-            piled += int(np.count_nonzero(chunk == extreme))
-    if piled < PILE:
-        return piled, 0
-    following, beside, deeper = -math.inf, 0, 0
-    for span in spans:
-        for _, chunk in chunks(values, *span):
-            inner = chunk[chunk != extreme] * sign
-            best = float(inner.max(initial=-math.inf))
-            if best > following:
-                deeper += beside
-                following, beside = best, 0
-            here = int(np.count_nonzero(inner == following))
-            beside += here
-            deeper += len(inner) - here
-    return (piled, beside) if deeper else (0, 0)

@@ -64,7 +64,9 @@ def variance_rows(fit: VarianceFit, unit: str) -> list[NoiseRow]:
             continue
         lower = math.sqrt(max(square - TWO_SIDED * spread, 0.0))
         upper = math.sqrt(square + TWO_SIDED * spread)
-        rows.append(_row(term, (value, spread / (2.0 * value), lower, upper), unit, "least_squares"))
+        rows.append(
+            _row(term, (value, spread / (2.0 * value), lower, upper), unit, "least_squares")
+        )
     return rows
 
 
@@ -74,9 +76,7 @@ def graphical_rows(readings: tuple[Reading, ...], unit: str) -> list[NoiseRow]:
     for reading in readings:
         lower, upper = interval(np.array([reading.value]), np.array([reading.edf]), LEVEL)
         if reading.bound:
-            rows.append(
-                _limit_row(reading.term, reading.value, float(upper[0]), unit, "graphical")
-            )
+            rows.append(_limit_row(reading.term, reading.value, float(upper[0]), unit, "graphical"))
             continue
         u = reading.value / math.sqrt(2.0 * reading.edf)
         numbers = (reading.value, u, float(lower[0]), float(upper[0]))
@@ -84,9 +84,7 @@ def graphical_rows(readings: tuple[Reading, ...], unit: str) -> list[NoiseRow]:
     return rows
 
 
-def _row(
-    term: str, numbers: tuple[float, float, float, float], unit: str, method: str
-) -> NoiseRow:
+def _row(term: str, numbers: tuple[float, float, float, float], unit: str, method: str) -> NoiseRow:
     value, u, lower, upper = numbers
     return NoiseRow(
         term=term,

@@ -7,11 +7,12 @@ more, for the laws are smooth.
 """
 
 from dataclasses import dataclass
+from typing import cast
 
 import numpy as np
 
+from core.allan.faults import Record
 from core.allan.model import spectral_columns
-from core.allan.record import Record, chunks
 from core.arrays import FloatArray, IntArray
 
 SINGLE = 64
@@ -57,13 +58,22 @@ class Spectrum:
         """(b,) highest frequency of each bin, Hz."""
         return (self.starts + self.counts) / (2.0 * self.n * self.dt)
 
-    def power(self, ramp: float = 0.0) -> FloatArray:
-        """Return (b,) mean squares of the coefficients, less those of a ramp (unit / s)."""
-        left = self.amplitudes
-        if ramp != 0.0:
-            left = left - ramp * ramp_amplitudes(self.n, self.dt)
-        power = np.add.reduceat(left * left, self.starts) / self.counts
-        return np.maximum(power, np.finfo(np.float64).tiny)
+    def power(self) -> FloatArray:
+        """Return (b,) mean squares of the coefficients."""
+        return self.bins(np.zeros(1))[0]
+
+    def bins(self, leverage: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Return (b,) mean squares and (b,) counts of coefficients that a regression has fitted.
+
+        Parameters
+        ----------
+        leverage : (n - 1,) share of each coefficient's variance that the regression took, or (1,)
+            for all; it is given back to the mean squares and taken from the counts
+        """
+        left = np.broadcast_to(1.0 - leverage, self.amplitudes.shape)
+        counts = np.add.reduceat(left, self.starts)
+        power = np.add.reduceat(self.amplitudes**2, self.starts) / counts
+        return np.maximum(power, np.finfo(np.float64).tiny), counts
 
     def columns(self, terms: tuple[str, ...]) -> FloatArray:
         """Return (b, len(terms)) expected powers for unit squared coefficients."""
@@ -118,7 +128,8 @@ def transform(values: Record, start: int, stop: int, rate: float) -> Spectrum:
     averaged = -(-(stop - start) // LARGEST)
     samples = block_means(values, start, stop, averaged)
     samples = samples[: prev_fast_len(len(samples), real=True)]
-    amplitudes = dct(samples - samples.mean(), type=2, norm="ortho", overwrite_x=True)[1:]
+    centred = samples - samples.mean()
+    amplitudes = cast(FloatArray, dct(centred, type=2, norm="ortho", overwrite_x=True))[1:]
     starts, counts = bin_starts(len(samples))
     return Spectrum(amplitudes, starts, counts, averaged / rate, averaged)
 

@@ -12,6 +12,7 @@ import numpy as np
 
 from core.allan.confidence import ONE_SIGMA
 from core.allan.curve import AllanCurve, make_curve
+from core.allan.squares import sum_of_squares
 from core.allan.taus import SHORTEST_RECORD, multitau_factors, stride_of
 from core.arrays import FloatArray, IntArray
 from core.errors import FitError, Note, Severity
@@ -73,7 +74,7 @@ class _Level:
             d = phase[begin + step :] - phase[begin:-step]
             second = d[step:]
             second = second - d[:-step]
-            self.sums[place] += float(second.dot(second))
+            self.sums[place] += sum_of_squares(second)
             self.pairs[place] += length
         self._tail = phase[-self.depth :].copy()
 

@@ -1,5 +1,6 @@
 """Averaging factors m: the taus of a curve are m / rate."""
 
+import math
 from collections.abc import Callable
 
 import numpy as np
@@ -15,11 +16,11 @@ FINEST = 16
 
 def _octave(limit: int, count: int) -> FloatArray:
     del count
-    return 2.0 ** np.arange(limit.bit_length())
+    return np.array([float(1 << power) for power in range(limit.bit_length())])
 
 
 def _log(limit: int, count: int) -> FloatArray:
-    return np.geomspace(1.0, limit, count)
+    return np.exp(np.linspace(0.0, math.log(limit), count))
 
 
 def _all(limit: int, count: int) -> FloatArray:

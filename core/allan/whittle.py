@@ -10,6 +10,7 @@ biases N by tens of per cent and B by factors. So the upper limit is lowered unt
 explains the uppermost two octaves, and then halved.
 """
 
+import math
 from dataclasses import dataclass
 from typing import Any, cast
 
@@ -78,13 +79,11 @@ def maximise(bins: Bins, held: int = -1, value: float = 0.0) -> Likelihood:
     free = [column for column in range(bins.columns.shape[1]) if column != held]
     fixed = value * bins.columns[:, held] if held >= 0 else np.zeros(len(bins.power))
     # Away from zero, or a bin that is all but empty takes all the weight.
-    window = np.ones(9)
-    spectrum = np.convolve(bins.power * bins.counts, window, "same") / np.convolve(
-        bins.counts, window, "same"
-    )
-    best = Likelihood(np.zeros(bins.columns.shape[1]), np.inf)
+    spectrum = _smoothed(bins)
+    terms = int(bins.columns.shape[1])
+    best = Likelihood(np.zeros(terms), math.inf)
     for _ in range(STEPS):
-        squares = np.zeros(bins.columns.shape[1])
+        squares = np.zeros(terms)
         squares[free] = _step(bins, free, fixed, spectrum)
         if held >= 0:
             squares[held] = value
@@ -97,6 +96,14 @@ def maximise(bins: Bins, held: int = -1, value: float = 0.0) -> Likelihood:
     if not np.isfinite(best.deviance):
         raise FitError("the spectrum of the record is zero within the band; is the record stuck?")
     return best
+
+
+def _smoothed(bins: Bins) -> FloatArray:
+    """Return the power averaged over nine bins."""
+    window = np.ones(9)
+    power: FloatArray = np.convolve(bins.power * bins.counts, window, "same")
+    counts: FloatArray = np.convolve(bins.counts, window, "same")
+    return power / counts
 
 
 def _step(bins: Bins, free: list[int], fixed: FloatArray, spectrum: FloatArray) -> FloatArray:
@@ -137,7 +144,31 @@ def log_likelihood(bins: Bins, squares: FloatArray) -> float:
 
 def covariance_of(bins: Bins, squares: FloatArray) -> FloatArray:
     """Return the (p, p) inverse Fisher information of the squared coefficients."""
-    return np.linalg.inv(fisher(bins.columns, bins.counts, squares))
+    information = fisher(bins.columns, bins.counts, squares)
+    # The terms differ by many powers of ten: scaled to a unit diagonal before it is inverted.
+    scale = np.sqrt(np.diag(information))
+    inverse = np.asarray(np.linalg.inv(information / np.outer(scale, scale)), dtype=np.float64)
+    return inverse / np.outer(scale, scale)
+
+
+def expected_squares(bins: Bins, squares: FloatArray) -> FloatArray:
+    """Return posterior means of squared coefficients that cannot be negative.
+
+    Parameters
+    ----------
+    bins : that were fitted
+    squares : (p,) most likely squared coefficients
+
+    Notes
+    -----
+    A term that was not detected is most likely zero, but what depends on it (the uncertainty of a
+    slope) must count with what it may be: the mean of a normal distribution cut off at zero.
+    """
+    from scipy.special import log_ndtr
+
+    spread = np.sqrt(np.diag(covariance_of(bins, squares)))
+    z = squares / spread
+    return squares + spread * np.exp(-0.5 * z * z - log_ndtr(z)) / np.sqrt(2.0 * np.pi)
 
 
 def fisher(columns: FloatArray, counts: FloatArray, squares: FloatArray) -> FloatArray:
@@ -192,8 +223,9 @@ def misfit(bins: Bins, squares: FloatArray) -> float:
     half = 0.5 * bins.counts
     deviance = bins.counts * (ratio - 1.0 - np.log(ratio))
     mean = bins.counts * (np.log(half) - psi(half))
-    variance = bins.counts**2 * (polygamma(1, half) - 1.0 / half)
-    return float(ndtr((mean.sum() - deviance.sum()) / np.sqrt(variance.sum())))
+    variance = bins.counts**2 * (np.asarray(polygamma(1, half), dtype=np.float64) - 1.0 / half)
+    excess = float(deviance.sum() - mean.sum()) / math.sqrt(float(variance.sum()))
+    return float(ndtr(-excess))
 
 
 def band_limit(spectrum: Spectrum, bins: Bins, top: float | None = None) -> tuple[int, bool]:
