@@ -17,6 +17,9 @@ from core.arrays import FloatArray
 _NOISE = 0.01
 """Scatter of a position about the linear model, share of full input: setting by hand, K2, ..."""
 _BIAS = 0.08
+_SHRUNK = (1.0, 0.1, 0.01)
+"""Sensors may well feel less than the widest doubt allows. Without this, a place that is known
+would beat one that is not whenever the two happen to look alike, as two horizontal positions do."""
 _CROSS = 0.08
 """Cross-axis sensitivity of a sensor whose nominal axis is known: up to some 10 degrees."""
 _NOMINAL_K = 0.05
@@ -109,7 +112,11 @@ class Expectation:
         self._outputs.append(outputs)
 
     def predict(
-        self, inputs: FloatArray, scale: FloatArray, flipped: int | None = None
+        self,
+        inputs: FloatArray,
+        scale: FloatArray,
+        flipped: int | None = None,
+        shrunk: float = 1.0,
     ) -> tuple[FloatArray, FloatArray]:
         """Predicted outputs and their standard deviations.
 
@@ -118,6 +125,7 @@ class Expectation:
         inputs : (m, 3) candidate inputs
         scale : (c,) output at full input, for the parts that nothing is known of
         flipped : predict as if this case axis (0, 1, 2) were reversed
+        shrunk : multiplies the doubt about slopes that nothing is known of
 
         Returns
         -------
@@ -131,9 +139,10 @@ class Expectation:
         if self._nominal is not None:
             known[:, :3] = self._nominal.k * self._full / scale[:, None]
             known[:, 3] = self._nominal.bias / scale
+        doubt = (self._sd * [shrunk, shrunk, shrunk, 1.0]) ** -2
         precision = np.zeros((len(scale), 4, 4))
-        precision[:, range(4), range(4)] = self._sd**-2
-        evidence = known * self._sd**-2
+        precision[:, range(4), range(4)] = doubt
+        evidence = known * doubt
         if self._inputs:
             past = _regressors(np.array(self._inputs) / self._full)
             precision += past.T @ past / _NOISE**2
@@ -205,9 +214,14 @@ class Expectation:
         flipped: int | None = None,
     ) -> "_Score":
         mean, sd = self.predict(inputs, scale, flipped)
-        z = (outputs - mean) / sd
-        likelihood = -0.5 * np.sum(z**2, axis=1) - np.sum(np.log(sd), axis=1)
-        return _Score(np.abs(z).max(axis=1), likelihood, (sd / scale).mean(axis=1))
+        distance = np.abs((outputs - mean) / sd).max(axis=1)
+        doubt = (sd / scale).mean(axis=1)
+        likelihoods: list[FloatArray] = []
+        for shrunk in _SHRUNK if self._nominal is None else (1.0,):
+            mean, sd = self.predict(inputs, scale, flipped, shrunk)
+            z = (outputs - mean) / sd
+            likelihoods.append(-0.5 * np.sum(z**2, axis=1) - np.sum(np.log(sd), axis=1))
+        return _Score(distance, np.max(likelihoods, axis=0), doubt)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

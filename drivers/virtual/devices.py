@@ -44,6 +44,13 @@ class Output:
         names = [p.name for p in self.model.parameters]
         return float(self.values[names.index(parameter)])
 
+    def shifted(self, drift: float) -> "Output":
+        """The same with another bias."""
+        names = [p.name for p in self.model.parameters]
+        values = self.values.copy()
+        values[names.index("bias")] += drift
+        return replace(self, values=frozen(values))
+
     def with_effect(self, effect_id: str, values: tuple[float, ...]) -> "Output":
         """The same with one more effect.
 

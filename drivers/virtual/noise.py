@@ -92,6 +92,8 @@ class Noise:
         self._white = np.array([level.density for level in levels]) * math.sqrt(rate_hz / 2.0)
         self._walk = np.array([level.walk for level in levels]) * math.sqrt(dt)
         self._position = np.zeros(len(levels))
+        self._drifted = np.zeros(len(levels))
+        self._count = 0
         sigma = np.array([level.floor for level in levels]) * (0.664 / _FLICKER_FLOOR)
         self._sigma = sigma
         self._relaxations = [
@@ -103,14 +105,21 @@ class Noise:
     def next(self, n: int) -> FloatArray:
         """Return the noise (n, c) of the next n samples."""
         shape = (n, len(self._white))
-        total = self._white_rng.standard_normal(shape) * self._white
+        slow = np.zeros(shape)
         if self._walk.any():
             steps = self._walk_rng.standard_normal(shape) * self._walk
             walked = np.cumsum(steps, axis=0) + self._position
             self._position = walked[-1].copy()
-            total += walked
+            slow += walked
         if self._sigma.any():
             for lag, stream in self._relaxations:
                 sigma = self._sigma * math.sqrt(1.0 - lag.pole**2)
-                total += lag.driven(stream.standard_normal(shape) * sigma)
-        return total
+                slow += lag.driven(stream.standard_normal(shape) * sigma)
+        self._drifted += slow.sum(axis=0)
+        self._count += n
+        return slow + self._white_rng.standard_normal(shape) * self._white
+
+    @property
+    def drift(self) -> FloatArray:
+        """Mean (c,) of all but the white noise so far: what a test cannot tell from a bias."""
+        return self._drifted / max(self._count, 1)

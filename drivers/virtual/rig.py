@@ -172,9 +172,15 @@ class Rig:
         """The rig as it stood after the latest sample."""
         return self._state
 
+    @property
+    def identity(self) -> Mapping[str, str]:
+        """What the unit tells of itself: ``serial``, ``model``, ``firmware``."""
+        return self._device.identity
+
     def truth(self) -> tuple[Output, ...]:
-        """The hidden truth: what each output does to its input."""
-        return self._device.outputs
+        """The hidden truth: what each output does to its input, its bias with the drift so far."""
+        pairs = zip(self._device.outputs, self._unit.drift, strict=True)
+        return tuple(output.shifted(float(drift)) for output, drift in pairs)
 
     def damaged(self) -> IntArray:
         """Sample numbers of all frames that the faults kept from arriving whole."""

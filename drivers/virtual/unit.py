@@ -75,6 +75,11 @@ class Unit:
         data[:, self._codes] = np.rint(data[:, self._codes])
         return data
 
+    @property
+    def drift(self) -> FloatArray:
+        """Mean drift of each sensor's output so far."""
+        return self._noise_factor * self._noise.drift
+
     def _row(self, role: str) -> int:
         return [output.role for output in self._device.outputs].index(role)
 
