@@ -11,11 +11,13 @@ What it does not print is inferred, and stands here and nowhere else:
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
 
 from core.arrays import FloatArray
+from core.plans.plan import Plan, load_plans
 
 STEP_DEG = 15.0
 """ClbAcc's list of positions goes in steps of this angle."""
@@ -56,6 +58,7 @@ class LegacyLayout:
     Parameters
     ----------
     id : key in `LEGACY_FORMATS`
+    program : the old program, as device profiles name it
     title : program and table, for messages
     stem : how the file names begin
     test : test of the `Run` by the sensor that is looked at
@@ -66,6 +69,7 @@ class LegacyLayout:
     """
 
     id: str
+    program: str
     title: str
     stem: str
     test: Mapping[str, str]
@@ -192,6 +196,7 @@ _ODH = "OpticalDividingHead"
 
 CLBACC = LegacyLayout(
     id="clbacc",
+    program="clbacc",
     title="OpticalDividingHead of ClbAcc (Table 1.2)",
     stem=_ODH,
     test=_HEAD_TESTS,
@@ -209,6 +214,7 @@ CLBACC = LegacyLayout(
 
 POINTER = LegacyLayout(
     id="pointer",
+    program="pointer",
     title="OpticalDividingHead of Pointer (Table 2.2)",
     stem=_ODH,
     test=_HEAD_TESTS,
@@ -226,6 +232,7 @@ POINTER = LegacyLayout(
 
 CLBDUS_HEAD = LegacyLayout(
     id="clbdus_head",
+    program="clbdus",
     title="OpticalDividingHead of ClbDUS (Table 3.3)",
     stem=_ODH,
     test=_HEAD_TESTS,
@@ -242,6 +249,7 @@ CLBDUS_HEAD = LegacyLayout(
 
 ROTATION_TABLE = LegacyLayout(
     id="rotation_table",
+    program="clbdus",
     title="RotationTable of ClbDUS (Table 3.2)",
     stem="RotationTable",
     test={"gyro": "rate_table"},
@@ -267,6 +275,7 @@ _ACCURACY_PRINTED = (
 
 ACCURACY = LegacyLayout(
     id="accuracy",
+    program="pointer",
     title="Accuracy of Pointer (Table 2.4)",
     stem="Accuracy",
     test={"accelerometer": "accuracy"},
@@ -281,6 +290,7 @@ ACCURACY = LegacyLayout(
 
 ACCURACY_15 = LegacyLayout(
     id="accuracy_15",
+    program="pointer",
     title="Accuracy of Pointer, the 15 columns that Table 2.4 prints",
     stem="Accuracy",
     test={"accelerometer": "accuracy"},
@@ -294,3 +304,34 @@ LEGACY_FORMATS: dict[str, LegacyLayout] = {
     for layout in (CLBACC, POINTER, CLBDUS_HEAD, ROTATION_TABLE, ACCURACY, ACCURACY_15)
 }
 """Every layout that is read and written, by identifier."""
+
+
+def legacy_for(program: str, test: str, plan: Plan) -> LegacyLayout | None:
+    """The layout that an old program writes in a test; None if it cannot hold the plan.
+
+    Parameters
+    ----------
+    program : ``layout`` of the device's profile: ``"clbacc"``, ``"pointer"``, ``"clbdus"``
+    test : test of the run
+    plan : its steps need position numbers in layouts that have no head angle
+    """
+    for layout in LEGACY_FORMATS.values():
+        if layout.program == program and test in layout.test.values():
+            numbered = position_numbers(layout.plan) if layout.plan else {}
+            fits = not layout.plan or all(
+                (step.mount, step.head_deg % 360.0) in numbered for step in plan.steps
+            )
+            return layout if fits else None
+    return None
+
+
+@cache
+def plan_of(plan_id: str) -> Plan:
+    """The packaged plan of this identifier."""
+    return load_plans()[plan_id]
+
+
+def position_numbers(plan_id: str) -> dict[tuple[str, float], int]:
+    """Zero-based position numbers of a plan by mount and head angle."""
+    steps = plan_of(plan_id).steps
+    return {(step.mount, step.head_deg % 360.0): step.number - 1 for step in steps}

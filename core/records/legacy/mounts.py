@@ -9,21 +9,14 @@ does not look like this is refused, because a wrong mount gives a wrong calibrat
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache
 
 from core.arrays import FloatArray, IntArray
 from core.errors import FormatError, Note, Severity
 from core.plans.orientation import Mount
-from core.plans.plan import Plan, load_plans
+from core.records.legacy.layout import plan_of
 
 _CUSTOM = ("X_from", "Y_from")
 _GIVE = "give the mounts, one a pass, e.g. X_from,Y_from, or one for all rows"
-
-
-@cache
-def plan_of(plan_id: str) -> Plan:
-    """The packaged plan of this identifier."""
-    return load_plans()[plan_id]
 
 
 def mounts_by_number(numbers: FloatArray, plan_id: str) -> tuple[list[str], list[float]]:

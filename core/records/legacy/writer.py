@@ -17,8 +17,7 @@ from core.arrays import FloatArray, frozen, frozen_int
 from core.errors import FormatError, StorageError
 from core.records.atomic import append_durable, not_stored, sync_folder, write_text_atomic
 from core.records.legacy.file import LegacyFile
-from core.records.legacy.layout import LegacyLayout, position_of
-from core.records.legacy.mounts import plan_of
+from core.records.legacy.layout import LegacyLayout, position_numbers, position_of
 from core.records.names import name_in_file, stamp
 from core.samples.run import Run
 
@@ -107,7 +106,7 @@ def legacy_rows(run: Run, layout: LegacyLayout) -> LegacyFile:
     sources = {
         **{name: np.asarray(values) for name, values in run.extra.items()},
         **dict(zip(_columns_of_outputs(run, layout), run.y.T, strict=True)),
-        "set temperature": run.extra.get("set_temperature_c", run.temperature_c),
+        "set temperature": _set_temperature(run),
         "head angle": run.head_deg,
         "set rate": run.set_rate_dps,
     }
@@ -129,6 +128,13 @@ def legacy_rows(run: Run, layout: LegacyLayout) -> LegacyFile:
         lines=frozen_int(np.arange(1, len(run) + 1)),
         unit=run.unit,
     )
+
+
+def _set_temperature(run: Run) -> FloatArray:
+    stated = run.extra.get("set_temperature_c")
+    if stated is None:
+        return run.temperature_c
+    return np.where(np.isfinite(stated), stated, run.temperature_c)
 
 
 def _check_kind(run: Run, layout: LegacyLayout) -> None:
@@ -179,8 +185,7 @@ def _numbers(run: Run, layout: LegacyLayout) -> FloatArray:
 
 
 def _positions_in_plan(run: Run, layout: LegacyLayout) -> FloatArray:
-    plan = plan_of(layout.plan)
-    numbers = {(step.mount, step.head_deg % 360.0): step.number - 1 for step in plan.steps}
+    numbers = position_numbers(layout.plan)
     found: list[float] = []
     for row, (mount, angle) in enumerate(zip(run.mount, run.head_deg.tolist(), strict=True)):
         number = numbers.get((mount, angle % 360.0))

@@ -1,4 +1,3 @@
-import json
 from pathlib import Path
 
 import numpy as np
@@ -7,7 +6,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from core.errors import FormatError
-from core.records.legacy.layout import LEGACY_FORMATS
 from core.records.legacy.reader import parse_legacy, read_legacy
 from core.samples.run import Run
 
@@ -21,19 +19,10 @@ LAYOUTS = {
     "Accuracy_202405141110.txt": "accuracy_15",
     "Accuracy_202405141111.txt": "accuracy",
 }
-CLBACC = "Colibrys\t+27\t{angle}\t{position}\t0\t0\t{y}" + "\t0" * 8 + "\t14798" + "\t0" * 8
 
 
 def text_of(name: str) -> str:
     return (SPECIMENS / name).read_text(encoding="utf-8")
-
-
-def clbacc(angles: list[float], temperature: str = "+27") -> str:
-    rows = (
-        CLBACC.format(angle=f"{a:g}", position=int(a // 15), y=f"{100 + i}.25")
-        for i, a in enumerate(angles)
-    )
-    return "\n".join(rows).replace("+27", temperature) + "\n"
 
 
 # --- the six specimens ---------------------------------------------------------------------------
@@ -45,76 +34,6 @@ def test_each_specimen_is_recognised_whatever_its_name(name, layout, tmp_path):
     copy = tmp_path / "copy.dat"
     copy.write_bytes((SPECIMENS / name).read_bytes())
     assert read_legacy(copy).layout.id == layout
-
-
-def test_table_1_2():
-    run = read_legacy(SPECIMENS / "OpticalDividingHead_202405131405.txt").to_run()
-    assert (run.test, run.sensor, run.device) == ("dividing_head", "accelerometer", "Colibrys")
-    assert (run.channels, run.axes, run.unit) == (("acc_1",), ("z",), "code")
-    np.testing.assert_array_equal(run.y[:, 0], [13185.47, 521.57, -12872.84, -595.04])
-    np.testing.assert_array_equal(run.head_deg, [0, 90, 180, 270])
-    np.testing.assert_array_equal(run.temperature_c, [27] * 4)
-    np.testing.assert_array_equal(run.extra["temp_1"], [14798, 14799, 14790, 14780])
-    assert run.mount == ("X_from",) * 4
-    assert [note.subject for note in run.notes] == ["mount_inferred"]
-    assert np.isnan(run.y_se).all()
-    assert np.isnan(run.t_s).all()
-    assert run.meta["start_local"] == "2024-05-13T14:05"
-    assert len(str(run.meta["source_sha256"])) == 64
-
-
-def test_table_2_2_is_table_2_2_of_the_golden_numbers(golden):
-    run = read_legacy(SPECIMENS / "OpticalDividingHead_202405140930.txt").to_run()
-    printed = golden["table_2_2"]["input"]
-    np.testing.assert_array_equal(run.y.T, [printed["U_ax"], printed["U_ay"], printed["U_az"]])
-    assert run.axes == ("x", "y", "z")
-    assert run.mount == ("X_from",) * 4 + ("Y_from",) * 4
-    np.testing.assert_array_equal(run.head_deg, [0, 90, 180, 270] * 2)
-    np.testing.assert_array_equal(run.extra["step"], [1, 2, 3, 4, 13, 14, 15, 16])
-    np.testing.assert_array_equal(run.extra["temp_acc_x"][:4], [7963, 7963, 7966, 7967])
-    assert run.extra["gyro_x"][1] == -523.06
-    assert run.notes == ()
-
-
-def test_the_gyros_of_a_pointer_file():
-    run = read_legacy(SPECIMENS / "OpticalDividingHead_202405140930.txt").to_run(sensor="gyro")
-    assert (run.test, run.sensor, run.channels) == ("static_positions", "gyro", ("gyro_x",))
-    assert run.y[2, 0] == -544.62
-    assert run.extra["acc_z"][0] == 12866.3
-
-
-def test_table_2_4(golden):
-    for name in ("Accuracy_202405141110.txt", "Accuracy_202405141111.txt"):
-        run = read_legacy(SPECIMENS / name).to_run()
-        assert (run.test, run.sensor) == ("accuracy", "accelerometer")
-        np.testing.assert_array_equal(run.y, [row["U"] for row in golden["table_2_4"]])
-        np.testing.assert_array_equal(
-            run.extra["unit_pitch_deg"], [row["ahrs_pitch_deg"] for row in golden["table_2_4"]]
-        )
-        np.testing.assert_array_equal(run.extra["mag_roll_deg"], [-0.05, -0.07, -0.118])
-        assert np.isnan(run.head_deg).all()  # the layout holds no set angle
-        np.testing.assert_array_equal(run.run, [1, 1, 1])
-
-
-def test_table_3_2(golden):
-    run = read_legacy(SPECIMENS / "RotationTable_202405151000.txt").to_run()
-    assert (run.test, run.sensor, run.axes) == ("rate_table", "gyro", ("z",))
-    printed = golden["table_3_2"]["input"]
-    np.testing.assert_array_equal(run.set_rate_dps, printed["omega_dps"])
-    np.testing.assert_array_equal(run.y[:, 0], printed["U"])
-
-
-def test_table_3_3(golden):
-    run = read_legacy(SPECIMENS / "OpticalDividingHead_202405151045.txt").to_run()
-    assert (run.test, run.sensor, run.device) == ("static_positions", "gyro", "Gyro31")
-    np.testing.assert_array_equal(run.y[:, 0], golden["table_3_3"]["input"]["U"])
-    assert run.mount == ("X_from",) * 4
-
-
-@pytest.fixture(scope="module")
-def golden():
-    path = DATA / "golden.json"
-    return json.loads(path.read_text(encoding="utf-8"))["source001"]
 
 
 # --- how lab computers write text ----------------------------------------------------------------
@@ -156,26 +75,6 @@ def test_a_ukrainian_name_in_any_encoding(encoding, tmp_path):
     file = read_legacy(path)
     assert set(file.devices) == {"Збірка №5 їєґ"}
     np.testing.assert_array_equal(file.column("acc_1")[0], 13185.47)
-
-
-@pytest.mark.parametrize("device", ["MS 9002", "Colibrys MS9002.D", "PW 09 31", "1234567", "a, b"])
-@pytest.mark.parametrize("name", LAYOUTS)
-def test_names_with_blanks_and_numbers_are_counted_from_the_right(name, device):
-    printed = read_legacy(SPECIMENS / name)
-    text = text_of(name).replace(printed.devices[0], device).replace("\t", " ")
-    read = parse_legacy(text, "")
-    assert read.layout.id == printed.layout.id
-    assert set(read.devices) == {device}
-    np.testing.assert_array_equal(read.values, printed.values)
-
-
-def test_one_row_that_two_layouts_can_hold():
-    row = "Gyro 31 0 0 0 -719.40" + " 0" * 8 + " 24803" + " 0" * 8
-    with pytest.raises(FormatError, match=r"fit .*Table 3.3.*'Gyro 31'.*Table 3.2.*'Gyro'"):
-        parse_legacy(row, "copy.txt")
-    assert parse_legacy(row, "OpticalDividingHead_202405151045.txt").devices == ("Gyro 31",)
-    tabbed = "Gyro 31\t" + row.removeprefix("Gyro 31 ").replace(" ", "\t")
-    assert parse_legacy(tabbed, "copy.txt").layout.id == "clbdus_head"
 
 
 # --- refusals: the line, the column and the reason -----------------------------------------------
@@ -240,31 +139,6 @@ def test_impossible_numbers_are_told_with_line_and_column(name, line, column, ce
     assert why in error.why
 
 
-def test_a_missing_column_is_told_with_its_line():
-    lines = text_of("OpticalDividingHead_202405140930.txt").splitlines()
-    lines[4] = lines[4].rsplit("\t", 1)[0]
-    error = refused("\n".join(lines))
-    assert error.line == 5
-    assert "18 columns" in error.why
-    assert "19" in error.why
-
-
-@pytest.mark.parametrize("name", LAYOUTS)
-def test_a_column_missing_throughout_is_never_taken_for_another_layout(name):
-    rows = text_of(name).splitlines()[:4]
-    error = refused("\n".join(row.rsplit("\t", 1)[0] for row in rows), name)
-    assert "columns" in error.why
-
-
-def test_layouts_mixed_in_one_file_are_refused():
-    text = text_of("OpticalDividingHead_202405140930.txt") + text_of(
-        "OpticalDividingHead_202405151045.txt"
-    )
-    error = refused(text)
-    assert error.line == 9
-    assert "another layout" in error.why
-
-
 @pytest.mark.parametrize(
     "text",
     [
@@ -287,12 +161,6 @@ def test_columns_parted_by_commas_are_named():
     assert "parted by commas" in refused(text).why
 
 
-def test_both_decimal_marks_in_one_file_are_refused():
-    error = refused(edited("OpticalDividingHead_202405140930.txt", 6, 9, "152,03"))
-    assert (error.line, error.column) == (6, 9)
-    assert "decimal mark" in error.why
-
-
 @pytest.mark.parametrize(
     "content",
     ["Colibrys 1\r\n".encode("utf-16"), b"\x00\x01\x02", b"PW09 \x98 0", b"\xff" * 100],
@@ -308,32 +176,6 @@ def test_a_file_that_cannot_be_opened(tmp_path):
     for path in (tmp_path / "none.txt", tmp_path, Path("a\0b")):
         with pytest.raises(FormatError, match="cannot be read"):
             read_legacy(path)
-
-
-# --- several devices, unused places --------------------------------------------------------------
-
-
-def test_rows_of_several_devices_are_parted_by_name():
-    one = text_of("OpticalDividingHead_202405151045.txt")
-    file = parse_legacy(one + one.replace("Gyro31", "Gyro32"), "f.txt")
-    with pytest.raises(FormatError, match="Gyro31, Gyro32"):
-        file.to_run()
-    run = file.to_run(device="Gyro32")
-    assert (run.device, len(run)) == ("Gyro32", 4)
-    with pytest.raises(FormatError, match="no rows of 'Gyro33'"):
-        file.to_run(device="Gyro33")
-
-
-def test_nothing_measured_is_refused():
-    text = "".join(f"G\t{i}" + "\t0" * 20 + "\n" for i in range(4))
-    with pytest.raises(FormatError, match="nothing was measured"):
-        parse_legacy(text, "f.txt").to_run()
-
-
-def test_a_sensor_that_the_layout_does_not_hold():
-    file = read_legacy(SPECIMENS / "RotationTable_202405151000.txt")
-    with pytest.raises(FormatError, match="no accelerometer"):
-        file.to_run(sensor="accelerometer")
 
 
 # --- fuzz ----------------------------------------------------------------------------------------
@@ -375,14 +217,3 @@ def test_damaged_specimens_give_a_run_or_a_format_error(tmp_path_factory, name, 
         return
     assert isinstance(run, Run)
     assert np.isfinite(run.y).all()
-
-
-def test_the_table_of_layouts_is_consistent():
-    for key, layout in LEGACY_FORMATS.items():
-        names = [column.name for column in layout.columns]
-        assert key == layout.id
-        assert len(set(names)) == len(names)
-        for sensor, outputs in layout.outputs.items():
-            assert set(outputs) <= set(names)
-            assert len(layout.axes[sensor]) == len(outputs)
-    assert {layout.width for layout in LEGACY_FORMATS.values()} == {15, 19, 22, 23, 24}

@@ -1,0 +1,74 @@
+"""Where sessions stand, and which of them wait to be continued."""
+
+from dataclasses import dataclass
+from datetime import datetime
+from pathlib import Path
+
+from core.errors import FormatError, StorageError
+from core.plans.plan import Plan
+from core.records.atomic import not_stored
+from core.records.names import safe_name
+from core.records.session.record import START_NAME, SessionRecord, read_session
+
+
+def default_root() -> Path:
+    """The folder that holds all sessions, unless the user chooses another one."""
+    return Path.home() / "CalRig"
+
+
+def new_session_folder(root: Path, started: datetime, device: str, plan: Plan) -> Path:
+    """Make an empty folder for a session; never one that already exists.
+
+    Raises
+    ------
+    StorageError
+        It cannot be made.
+    """
+    name = f"{started:%Y%m%d_%H%M}_{safe_name(device)}_{safe_name(plan.id)}"
+    for count in range(1, 1000):
+        folder = root / (name if count == 1 else f"{name}_{count}")
+        try:
+            folder.mkdir(parents=True)
+        except FileExistsError:
+            continue
+        except OSError as error:
+            raise not_stored(folder, error, "nothing has been measured yet") from error
+        return folder
+    raise StorageError(f"{root}: a thousand sessions of the same minute; choose another folder")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Unfinished:
+    """A session that waits to be continued.
+
+    Parameters
+    ----------
+    folder : where it stands
+    record : what it holds; None if it cannot be read
+    problem : why it cannot be read; empty if it can
+    """
+
+    folder: Path
+    record: SessionRecord | None
+    problem: str
+
+    @property
+    def done(self) -> int:
+        """Steps of the plan with a position that counts."""
+        if self.record is None:
+            return 0
+        return len({position.step.number for position in self.record.positions})
+
+
+def unfinished(root: Path) -> tuple[Unfinished, ...]:
+    """Sessions under `root` that were not finished, the newest first; damaged ones as well."""
+    found: list[Unfinished] = []
+    for start in sorted(root.glob(f"*/{START_NAME}"), reverse=True):
+        try:
+            record = read_session(start.parent)
+        except FormatError as error:
+            found.append(Unfinished(start.parent, None, str(error)))
+            continue
+        if not record.is_finished:
+            found.append(Unfinished(start.parent, record, ""))
+    return tuple(found)

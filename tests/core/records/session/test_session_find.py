@@ -1,0 +1,51 @@
+from datetime import datetime
+from pathlib import Path
+
+import pytest
+
+from core.errors import StorageError
+from core.records.session.find import default_root, new_session_folder, unfinished
+from core.records.session.store import Session
+
+
+def test_folders_are_named_by_time_device_and_plan(tmp_path, start):
+    when = datetime(2024, 5, 14, 9, 30, 5)
+    folders = [new_session_folder(tmp_path / "root", when, "../PW 09", start.plan) for _ in "ab"]
+    assert [folder.name for folder in folders] == [
+        "20240514_0930_PW_09_pointer_8",
+        "20240514_0930_PW_09_pointer_8_2",
+    ]
+    assert all(folder.is_dir() and folder.parent == tmp_path / "root" for folder in folders)
+
+
+def test_a_root_that_cannot_be_written(tmp_path, start):
+    file = tmp_path / "file"
+    file.write_text("x")
+    with pytest.raises(StorageError, match="nothing has been measured"):
+        new_session_folder(file, datetime(2024, 5, 14), "PW09", start.plan)
+
+
+def test_unfinished_sessions_are_found_newest_first(tmp_path, start, means, clock):
+    names = ("20240501_a", "20240502_b", "20240503_c")
+    for name in names:
+        session = Session.create(tmp_path / name, start, now=clock)
+        session.accept(start.plan.steps[0], means(1.0))
+        if name.endswith("b"):
+            session.finish()
+        session.close()
+    (tmp_path / "20240504_d").mkdir()
+    (tmp_path / "20240504_d" / "session.json").write_text("{")
+    (tmp_path / "notes").mkdir()
+    found = unfinished(tmp_path)
+    assert [one.folder.name for one in found] == ["20240504_d", "20240503_c", "20240501_a"]
+    assert "damaged JSON" in found[0].problem
+    assert [one.done for one in found] == [0, 1, 1]
+    assert found[1].record is not None
+
+
+def test_there_is_nothing_where_there_is_no_root(tmp_path):
+    assert unfinished(tmp_path / "none") == ()
+
+
+def test_the_root_is_in_the_home_folder():
+    assert default_root() == Path.home() / "CalRig"
