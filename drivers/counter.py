@@ -44,6 +44,8 @@ class SampleCounter:
         """Counts a sample; 0 while unknown."""
         self._next = 0
         self._last = -1
+        self._since = 0
+        """Samples without a counter since the last one with it."""
         self._votes: Counter[int] = Counter()
         self._other = 0
         self._agreeing = 0
@@ -87,7 +89,7 @@ class SampleCounter:
         """Set the steps by the counter."""
         at = 0
         while at < len(counts):
-            if self.step and self._last >= 0 and counts[at] >= 0:
+            if self.step and self._last >= 0 and counts[at] >= 0 and not self._since:
                 at = self._stretch(counts, at, steps, events)
             else:
                 first = self._next == 0 and at == 0
@@ -97,10 +99,12 @@ class SampleCounter:
     def _single(self, count: int, loss: int, events: list[Event]) -> int:
         """Return the step of a frame without counter, or while the step is not known."""
         step = 1 + loss if count < 0 or not self.step else 1
-        if count >= 0:
-            if self._last >= 0:
-                step = self._advance(count, step, events)
-            self._last = count
+        if count < 0:
+            self._since += step
+            return step
+        if self._last >= 0:
+            step = max(1, self._advance(count, step + self._since, events) - self._since)
+        self._last, self._since = count, 0
         return step
 
     def _stretch(self, counts: IntArray, at: int, steps: IntArray, events: list[Event]) -> int:

@@ -11,12 +11,19 @@ def _divide(left: float, right: float) -> float:
     return left / right
 
 
+def _power(left: float, right: float) -> float:
+    try:
+        return math.pow(left, right)
+    except ValueError as error:
+        raise ArithmeticError from error
+
+
 _BINARY: dict[type[ast.operator], Callable[[float, float], float]] = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
     ast.Mult: operator.mul,
     ast.Div: _divide,
-    ast.Pow: math.pow,
+    ast.Pow: _power,
 }
 _UNARY: dict[type[ast.unaryop], Callable[[float], float]] = {
     ast.UAdd: operator.pos,

@@ -16,7 +16,7 @@ _HEADER = re.compile(r"\s*(\[\[?)\s*([A-Za-z0-9_.\-\" ]+?)\s*\]\]?\s*(#.*)?$")
 
 
 def _section_lines(text: str, header: str, occurrence: int) -> range:
-    """Return the 1-based lines of one section; `header` is empty for the top of the file."""
+    """Return the 1-based lines below a header; `header` is empty for the top of the file."""
     lines = text.splitlines()
     begin, seen = (1, 0) if not header else (0, -1)
     for number, line in enumerate(lines, start=1):
@@ -28,7 +28,7 @@ def _section_lines(text: str, header: str, occurrence: int) -> range:
         if found[2] == header:
             seen += 1
             if seen == occurrence:
-                begin = number
+                begin = number + 1
     return range(begin, len(lines) + 1) if begin else range(0)
 
 
@@ -66,14 +66,15 @@ class Table:
         """Raise FormatError at the line of `key`, or of the section where `key` is empty."""
         section = _section_lines(self._text, self._header, self._occurrence)
         lines = self._text.splitlines()
-        wanted = re.compile(rf"\s*\"?{re.escape(self._outer or key)}\"?\s*=")
-        line = next((n for n in section if (self._outer or key) and wanted.match(lines[n - 1])), 0)
+        outermost = self._outer or key
+        wanted = re.compile(rf"\s*\"?{re.escape(outermost)}\"?\s*=")
+        line = next((n for n in section if outermost and wanted.match(lines[n - 1])), 0)
+        if not line:
+            place = section if self._header else _section_lines(self._text, key or "-", 0)
+            line = max(0, place.start - 1)
         name = f"[{self._header}] " if self._header else ""
-        inner = f"{self._outer}.{key}" if self._outer and key else self._outer or key
-        raise FormatError(
-            self._path, f"{name}{inner}: {why}" if inner else f"{name}{why}",
-            line=line or (section.start if section else 0),
-        )  # fmt: skip
+        inner = f"{self._outer}.{key}" if self._outer and key else outermost
+        raise FormatError(self._path, f"{name}{inner}: {why}" if inner else name + why, line=line)
 
     def has(self, key: str) -> bool:
         """Return whether the file gives this key, which counts as asking for it."""
