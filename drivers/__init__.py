@@ -8,8 +8,10 @@ protocols
     Decoder classes for what no table can describe.
 transport, ports, scan, commands
     pyserial, and who is at the other end.
-reader, rawlog, replay
-    The one thread of a port, the bytes as they came, and their replay.
+reader, linkrate
+    The one thread of a port, and the rate of its samples.
+framing, rawlog
+    Files of checked blocks, and the bytes of a link in one.
 virtual
-    The simulated rig: ``sim://`` and a process behind a pty.
+    The simulated rig: ``sim://`` and a process behind a pty; recordings as ``replay://``.
 """

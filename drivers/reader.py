@@ -30,8 +30,8 @@ from drivers.transport import EndOfStream, Opener, Transport
 
 _RETRY_S = 1.0
 _JOIN_S = 5.0
-_MOST_PENDING = 64
-_PATIENCE_S = 0.005
+_MOST_PENDING = 8
+_PATIENCE_S = 0.001
 _NO_DATA_S = 1.0
 _NO_DATA_PERIODS = 20
 

@@ -20,6 +20,7 @@ from drivers.transport import Transport, UnfitSettings, open_port
 
 _ENOUGH = 5
 _PLENTY = 40
+_SPEEDS_OF_SILENCE = 2
 _NEVER = threading.Event()
 # Ports that pass bytes on at whatever speed.
 _SPEEDLESS = ("socket://",)
@@ -99,9 +100,10 @@ def scan(
 ) -> ScanReport:
     """Find out what is at each port; for a worker thread.
 
-    Each speed that some profile knows is listened to until five valid frames came. Only if
-    `active`, devices that were heard are asked for their names, and ports where none was heard are
-    asked with the questions of all profiles.
+    Each speed that some profile knows is listened to until five valid frames came; a port that
+    brings no byte at two speeds is silent at all of them. Only if `active`, devices that were
+    heard are asked for their names, and ports where none was heard are asked with the questions
+    of all profiles.
 
     Parameters
     ----------
@@ -162,9 +164,12 @@ class _Visit:
     def run(self, jobs: Sequence[_Job]) -> list[Found]:
         """Listen at all speeds, then ask at all speeds."""
         for action in (self._hear, self._question) if self._active else (self._hear,):
-            for job in jobs:
+            for number, job in enumerate(jobs):
                 if self._hopeless or self._cancel.is_set():
                     return []
+                # A device that sends is heard at any speed, if only as garbage.
+                if action == self._hear and number >= _SPEEDS_OF_SILENCE and not self.bytes_heard:
+                    break
                 found = self._at(job, action)
                 if found:
                     return found
@@ -194,10 +199,13 @@ class _Visit:
 
     def _hear(self, transport: Transport, job: _Job) -> list[Found]:
         ears = [_Ear(profile) for profile in job.profiles]
-        settle_s = job.settings.settle_ms / 1000.0
-        until = time.monotonic() + self._listen_s + settle_s
+        began = time.monotonic()
         heard = 0
-        while time.monotonic() < until and not self._cancel.is_set():
+        while not self._cancel.is_set():
+            # Only a device that is still silent may need its time to wake up.
+            settle_s = 0.0 if heard else job.settings.settle_ms / 1000.0
+            if time.monotonic() - began > self._listen_s + settle_s:
+                break
             data = transport.read()
             heard += len(data)
             for ear in ears:

@@ -111,7 +111,7 @@ class SerialTransport:
             if not first:
                 return b""
             waiting = device.in_waiting
-            if waiting < _ENOUGH:
+            if waiting < _ENOUGH and not self.patient:
                 time.sleep(_GATHER_S)
                 waiting = device.in_waiting
             return first + device.read(min(waiting, LIMIT)) if waiting else first

@@ -8,6 +8,7 @@ from drivers.virtual.bench import Place
 from drivers.virtual.faults import Faults
 from drivers.virtual.rig import Rig, RigOptions
 
+_BLOCK_S = 0.25
 _RATES = ("bit_error", "drop", "half", "garbage")
 _RIGS: dict[str, "Stand"] = {}
 
@@ -20,10 +21,12 @@ class Stand:
     ----------
     rig : the rig
     speed : seconds of the rig in one of ours; infinite for as fast as it is read
+    block_s : seconds of the rig that are made at once at infinite speed
     """
 
     rig: Rig
     speed: float
+    block_s: float
 
 
 def rig_of(url: str) -> Rig:
@@ -32,7 +35,8 @@ def rig_of(url: str) -> Rig:
     ``sim://DEVICE?key=value&...`` with the keys ``speed`` (1, or ``max``), ``seed``, ``rate``,
     ``noise``, ``cold``, ``g``, ``latitude``, ``effect=ID:value,value`` or
     ``effect=ROLE/ID:value,...`` (repeatable), ``bit_error``, ``drop``, ``half``, ``garbage``
-    (probabilities), and ``name``, which only tells rigs apart.
+    (probabilities), ``block`` (seconds made at once where the speed is ``max``), and ``name``,
+    which only tells rigs apart.
 
     Raises
     ------
@@ -53,11 +57,13 @@ def stand_of(url: str) -> Stand:
 def _stand(url: str) -> Stand:
     parts = urlsplit(url)
     options = RigOptions(device=parts.netloc.lower())
-    faults, speed = Faults(), 1.0
+    faults, speed, block_s = Faults(), 1.0, _BLOCK_S
     effects: dict[str, tuple[float, ...]] = {}
     for key, value in parse_qsl(parts.query, keep_blank_values=True):
         if key == "speed":
             speed = math.inf if value == "max" else _number(key, value)
+        elif key == "block":
+            block_s = _number(key, value)
         elif key == "effect":
             name, _, numbers = value.partition(":")
             effects[name] = tuple(_number(key, number) for number in numbers.split(","))
@@ -65,11 +71,12 @@ def _stand(url: str) -> Stand:
             faults = replace(faults, **{key: _number(key, value)})
         elif key != "name":
             options = _option(options, key, _number(key, value))
-    if speed <= 0:
-        raise ValueError(f"speed = {speed:g}; must be above zero")
+    for name, number in (("speed", speed), ("block", block_s)):
+        if number <= 0:
+            raise ValueError(f"{name} = {number:g}; must be above zero")
     rig = Rig(replace(options, effects=effects))
     rig.fail(faults)
-    return Stand(rig, speed)
+    return Stand(rig, speed, block_s)
 
 
 def _option(options: RigOptions, key: str, value: float) -> RigOptions:

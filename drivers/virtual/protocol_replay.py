@@ -17,6 +17,8 @@ from drivers.rawlog import Chunk, read_rawlog
 from drivers.transport import EndOfStream
 from drivers.virtual.fed_port import FedPort
 
+_AT_ONCE = 1 << 15
+
 
 class Serial(FedPort):
     """A port that says again what was recorded, and then ends."""
@@ -54,7 +56,7 @@ class Serial(FedPort):
         while self._chunk is not None and self._chunk.t - self._zero <= now:
             data += self._chunk.data
             self._chunk = next(self._chunks, None)
-            if self.patient:
+            if len(data) >= _AT_ONCE:
                 break
         if not data and self._chunk is None and not self._pending:
             raise EndOfStream

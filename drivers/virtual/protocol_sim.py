@@ -10,9 +10,6 @@ from drivers.virtual.address import Stand, stand_of
 from drivers.virtual.fed_port import FedPort
 from drivers.virtual.rig import Unplugged
 
-_AT_ONCE_S = 0.25
-_AHEAD_S = 0.5
-
 
 class Serial(FedPort):
     """The port of a rig; its baud rate must be the device's, as on a real line."""
@@ -39,7 +36,7 @@ class Serial(FedPort):
         """Let the rig's time go on to now."""
         rig = self._stand.rig
         if self.patient:
-            count = max(1, round(rig.rate_hz * _AT_ONCE_S))
+            count = max(1, round(rig.rate_hz * self._stand.block_s))
         else:
             passed = (time.monotonic() - self._began) * self._stand.speed
             count = max(0, math.floor(passed * rig.rate_hz) - self._made)

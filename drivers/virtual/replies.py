@@ -31,7 +31,7 @@ class Answering:
 
     def receive(self, data: bytes) -> None:
         """Take bytes from the computer; commands may come in pieces, among anything else."""
-        self._heard = (self._heard + data)[-_MEMORY:]
+        self._heard += data
         while True:
             places = [
                 (self._heard.find(command.data), command)
@@ -43,6 +43,7 @@ class Answering:
                 default=(-1, None),
             )
             if command is None:
+                self._heard = self._heard[-_MEMORY:]
                 return
             self._heard = self._heard[at + len(command.data) :]
             self._obey(command)
