@@ -25,6 +25,21 @@ banner            inline message: what happened, what it means, what to do
 device_strip      device, port, link, counters
 ================  ==================================================================
 
+Charts of samples over time
+
+================  ==================================================================
+pyramid           extremes of any stretch of a record, exact; no Qt
+moments           mean, scatter, trend of any stretch; no Qt
+history           all channels with their gaps; no Qt
+chart_scale       round ticks, ranges with hysteresis; no Qt
+strip_view        window of time and ranges that the charts show; no Qt
+strip_painter     drawing of the stacked charts on any painter
+polyline          arrays of points as polygons
+strip_canvas      painting and what mouse and keys do
+strip_charts      the widget that tabs use
+chart_export      SVG, PNG, PDF
+================  ==================================================================
+
 Others
 
 ================  ==================================================================
