@@ -18,8 +18,10 @@ from core.arrays import FloatArray, IntArray, frozen
 SPAN = 1.5
 """The local slope is taken from tau/1.5 to 1.5 tau."""
 SHARES = ("random_walk", "bias_instability", "rate_random_walk", "quantization", "rate_ramp")
+CERTAIN = 100.0
+"""Averages in the record from which the slope always tells the kind of noise."""
 TRUSTED = 20.0
-"""Averages in the record below which a slope is too uncertain to tell the kind of noise."""
+"""Averages in the record below which it does not tell it at all."""
 ONE_SIGMA = 0.6826894921370859
 
 
@@ -61,18 +63,22 @@ def noise_types(taus: FloatArray, deviation: FloatArray, m: IntArray, n: int) ->
     Returns
     -------
     (t,) keys of TERMS
-        Where the record holds fewer than 20 averages the last trusted type is kept.
+        Below 100 averages a type may only give way to one that rises faster with tau, since the
+        slope of any sum of the terms grows (a chance dip is not quantisation noise); below 20
+        averages the last type is kept.
     """
     by_slope = sorted(TERMS, key=lambda name: TERMS[name].power)
     if len(taus) < 2:
         return ("random_walk",) * len(taus)
     nearest = np.clip(np.rint(2.0 * local_slopes(taus, deviation)) + 2.0, 0.0, 4.0)
-    names = [by_slope[int(place)] for place in nearest]
-    trusted = n / m >= TRUSTED
-    for at in range(1, len(names)):
-        if not trusted[at]:
-            names[at] = names[at - 1]
-    return tuple(names)
+    places: list[int] = nearest.astype(np.int64).tolist()
+    averages: list[float] = (n / m).tolist()
+    for at in range(1, len(places)):
+        if averages[at] < TRUSTED:
+            places[at] = places[at - 1]
+        elif averages[at] < CERTAIN:
+            places[at] = max(places[at], places[at - 1])
+    return tuple(by_slope[place] for place in places)
 
 
 def edf_of_types(types: Sequence[str], m: IntArray, pairs: IntArray) -> FloatArray:

@@ -18,6 +18,9 @@ no difference is taken across a gap, those of all stretches are pooled."""
 JITTER = 0.25
 """Largest departure of a time stamp from the uniform grid, in sampling intervals."""
 
+MOST_GAPS = 0.1
+"""Share of long steps above which time stamps are no grid with samples missing."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Survey:
@@ -81,6 +84,12 @@ def sample_index(time: FloatArray) -> tuple[IntArray, float]:
             f"{len(bad)} such places): the file is damaged or two runs were joined"
         )
     middle = float(np.median(steps))
+    jumps = float(np.mean(steps > 1.5 * middle))
+    if jumps > MOST_GAPS:
+        raise FitError(
+            f"samples are not uniform in time: {100.0 * jumps:.0f} % of the steps are longer than "
+            f"the usual {middle:.3g} s. Are these arrival times of bursts? Use the device's counter"
+        )
     index = np.concatenate(([0], np.cumsum(np.maximum(np.rint(steps / middle), 1.0))))
     interval = float(time[-1] - time[0]) / float(index[-1])
     index = np.rint((time - time[0]) / interval)
