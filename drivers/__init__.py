@@ -2,10 +2,14 @@
 
 events
     What a decoder or a link can say.
-profile, checksums, frame, line, decoders
-    A device is a TOML file; its decoder turns bytes into events.
-protocols
-    Decoder classes for what no table can describe.
+profile, profile_types, profile_sections, profile_commands, toml_table, expression
+    A device is a TOML file, read strictly.
+decoders, encode
+    Which decoder a profile needs; its samples as bytes for the simulated rig.
+frame, line, protocols
+    Decoders of fixed frames, of text, and of what no table can describe.
+stream, finder, shape, checksums, fields, columns, counter, lines
+    What the decoders are made of: frames found, checked, read and numbered many at a time.
 transport, ports, scan, commands
     pyserial, and who is at the other end.
 reader, linkrate

@@ -10,8 +10,8 @@ from importlib import resources
 from pathlib import Path
 
 from core.errors import FormatError
+from drivers.profile_commands import read_commands
 from drivers.profile_sections import (
-    read_commands,
     read_device,
     read_frame,
     read_line,
@@ -80,6 +80,21 @@ class Profile:
         return self.stream.options[name]
 
 
+def _read_stream(
+    name: str, section: Table, top: Table, params: Mapping[str, float]
+) -> FrameSpec | LineSpec | ProtocolSpec:
+    """Read the one section that says how the bytes are laid out."""
+    if name == "frame":
+        return read_frame(section, top.tables("field"), params)
+    if name == "line":
+        return read_line(section, params)
+    stream = read_protocol(section)
+    for needed in PROTOCOL_PARAMS.get(stream.name, ()):
+        if not params.get(needed):
+            top.fail("params", f'{needed}, which "{stream.name}" needs, is missing or zero')
+    return stream
+
+
 def parse_profile(
     text: str, path: Path | str, params: Mapping[str, float] | None = None
 ) -> Profile:
@@ -104,28 +119,23 @@ def parse_profile(
     schema = top.integer("schema")
     if schema != SCHEMA:
         top.fail("schema", f"this program reads schema {SCHEMA}, not {schema}")
-    device, port = read_device(top.table("device")), read_port(top.table("port"))
-    constants = read_params(top.table("params"), params or {})
-    stream: FrameSpec | LineSpec | ProtocolSpec
     given = [name for name in ("frame", "line", "protocol") if top.has(name)]
+    for name in ("device", "port", "params", "field", "command"):
+        top.has(name)
+    top.done()
     if len(given) != 1:
         top.fail("", f"exactly one of [frame], [line], [protocol] is needed, not {len(given)}")
+    if "field" in data and given != ["frame"]:
+        top.fail("field", "[[field]] belongs to a [frame]")
+    device, port = read_device(top.table("device")), read_port(top.table("port"))
+    constants = read_params(top.table("params"), params or {})
     section = top.table(given[0])
     nominal_hz = section.number("nominal_hz", 0.0)
     if nominal_hz < 0:
         section.fail("nominal_hz", "must not be negative")
-    if given[0] == "frame":
-        stream = read_frame(section, top.tables("field"), constants)
-    elif given[0] == "line":
-        stream = read_line(section, constants)
-    else:
-        stream = read_protocol(section)
-        for name in PROTOCOL_PARAMS.get(stream.name, ()):
-            if not constants.get(name):
-                top.fail("params", f'{name}, which "{stream.name}" needs, is missing or zero')
+    stream = _read_stream(given[0], section, top, constants)
     checksum = stream.checksum if isinstance(stream, FrameSpec) else None
     commands = read_commands(top.tables("command"), checksum)
-    top.done()
     return Profile(Path(path).stem, device, port, constants, stream, commands, nominal_hz, text)
 
 

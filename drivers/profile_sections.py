@@ -4,15 +4,11 @@ import math
 import re
 from collections.abc import Mapping, Sequence
 
-import numpy as np
-
 from core.samples.block import Channel
-from drivers.checksums import CHECKSUM_NAMES, CRC_PRESETS, Checksum, ChecksumSpec, CrcSpec
+from drivers.checksums import CHECKSUM_NAMES, CRC_PRESETS, ChecksumSpec, CrcSpec
 from drivers.expression import evaluate
 from drivers.profile_types import (
     TYPES,
-    Capture,
-    Command,
     CounterSpec,
     DeviceSection,
     FieldSpec,
@@ -38,8 +34,8 @@ _UNITS = {
     "temp": ("degC", "code", "V"),
 }
 """Units that the rest of the program understands, by the first word of a role."""
-_ENDIANS = ("little", "big")
-_LONGEST_FRAME = 4096
+ENDIANS = ("little", "big")
+LONGEST_FRAME = 4096
 
 
 def read_device(table: Table) -> DeviceSection:
@@ -78,7 +74,8 @@ def read_params(table: Table, replaced: Mapping[str, float]) -> dict[str, float]
     return params
 
 
-def _hex(table: Table, key: str, text: str) -> bytes:
+def read_hex(table: Table, key: str, text: str) -> bytes:
+    """Read a row of hexadecimal bytes."""
     try:
         return bytes.fromhex(text)
     except ValueError:
@@ -114,17 +111,17 @@ def _evaluate(table: Table, key: str, value: object, params: Mapping[str, float]
 
 def _length(table: Table, sync: tuple[int | None, ...], endian: str) -> int | LengthSpec:
     if not isinstance(table.raw("length"), dict):
-        return table.integer("length", low=len(sync) + 1, high=_LONGEST_FRAME)
+        return table.integer("length", low=len(sync) + 1, high=LONGEST_FRAME)
     inner = table.table("length")
     size = TYPES[inner.choice("type", ("u8", "u16"))]
     spec = LengthSpec(
         at=inner.integer("at", high=64),
         size=size,
-        endian=inner.choice("endian", _ENDIANS, endian),
-        add=inner.integer("add", 0, low=-64, high=_LONGEST_FRAME),
+        endian=inner.choice("endian", ENDIANS, endian),
+        add=inner.integer("add", 0, low=-64, high=LONGEST_FRAME),
         mul=inner.integer("mul", 1, low=1, high=64),
-        low=inner.integer("min", low=len(sync) + 1, high=_LONGEST_FRAME),
-        high=inner.integer("max", low=len(sync) + 1, high=_LONGEST_FRAME),
+        low=inner.integer("min", low=len(sync) + 1, high=LONGEST_FRAME),
+        high=inner.integer("max", low=len(sync) + 1, high=LONGEST_FRAME),
     )
     inner.done()
     if spec.high < spec.low or spec.low < spec.at + size:
@@ -164,18 +161,31 @@ def _checksum(outer: Table, shortest: int, endian: str) -> ChecksumSpec | None:
         stop=table.integer("to", low=-shortest, high=shortest),
         at=table.integer("at", low=-shortest, high=shortest - size),
         size=size,
-        endian=table.choice("endian", _ENDIANS, endian),
+        endian=table.choice("endian", ENDIANS, endian),
         negate=table.flag("negate", False),
         pad_to=table.integer("pad_to", 0, high=64),
         crc=crc,
     )
     table.done()
-    covered = len(range(*slice(spec.start, spec.stop).indices(shortest)))
-    if not covered:
-        outer.fail("checksum", "from and to cover no byte")
-    if algorithm == "sum16w" and covered % 2:
-        outer.fail("checksum", f"sum16w needs an even number of bytes, from and to give {covered}")
+    doubt = doubtful(spec, shortest)
+    if doubt:
+        outer.fail("checksum", doubt)
     return spec
+
+
+def doubtful(spec: ChecksumSpec, length: int) -> str:
+    """Return what is wrong with a checksum in a frame of this length; empty if nothing."""
+    covered = range(*slice(spec.start, spec.stop).indices(length))
+    at = spec.at if spec.at >= 0 else length + spec.at
+    if not covered:
+        return "from and to cover no byte"
+    if not 0 <= at <= length - spec.size:
+        return f"at {spec.at} leaves no room for {spec.size} bytes"
+    if at < covered.stop and at + spec.size > covered.start:
+        return "from and to cover the checksum itself"
+    if spec.algorithm == "sum16w" and len(covered) % 2:
+        return f"sum16w needs an even number of bytes, from and to give {len(covered)}"
+    return ""
 
 
 def _channels(
@@ -210,10 +220,10 @@ def _field(table: Table, at: int, endian: str, params: Mapping[str, float]) -> F
     spec = FieldSpec(
         channels,
         kind,
-        at=table.integer("at", at, high=_LONGEST_FRAME),
+        at=table.integer("at", at, high=LONGEST_FRAME),
         scale=_number(table, "scale", "1", params),
         offset=_number(table, "offset", "0", params),
-        endian=table.choice("endian", _ENDIANS, endian),
+        endian=table.choice("endian", ENDIANS, endian),
         bits=(bits[0], bits[1]) if bits else None,
         hide=table.flag("hide", False),
     )
@@ -239,11 +249,11 @@ def _counter(table: Table, names: Sequence[str]) -> CounterSpec | None:
 def read_frame(table: Table, sections: Sequence[Table], params: Mapping[str, float]) -> FrameSpec:
     """Read [frame] and its [[field]] sections."""
     sync = _sync(table)
-    endian = table.choice("endian", _ENDIANS)
+    endian = table.choice("endian", ENDIANS)
     length = _length(table, sync, endian)
     shortest = length if isinstance(length, int) else length.low
     checksum = _checksum(table, shortest, endian)
-    tail = _hex(table, "tail", table.text("tail", ""))
+    tail = read_hex(table, "tail", table.text("tail", ""))
     if len(tail) > 4 or any(byte == sync[0] for byte in tail):
         table.fail("tail", "must be at most 4 bytes, none of them the first of sync")
     if tail and checksum is None:
@@ -328,63 +338,3 @@ def read_protocol(table: Table) -> ProtocolSpec:
     options = {key: _option(table, key, known) for key, known in PROTOCOL_OPTIONS[name].items()}
     table.done()
     return ProtocolSpec(name, options)
-
-
-def _capture(table: Table) -> dict[str, Capture]:
-    captures: dict[str, Capture] = {}
-    for name in table.keys():  # noqa: SIM118
-        inner = table.table(name)
-        captures[name] = Capture(
-            at=inner.integer("at", high=_LONGEST_FRAME),
-            type=inner.choice("type", ("ascii", "hex", "uint")),
-            size=inner.integer("size", low=1, high=256),
-            endian=inner.choice("endian", _ENDIANS, "little"),
-        )
-        inner.done()
-    return captures
-
-
-def _command(table: Table, checksum: ChecksumSpec | None) -> Command:
-    name = table.text("name")
-    if table.has("hex") == table.has("ascii"):
-        table.fail("name", "a command needs either hex or ascii")
-    if table.has("hex"):
-        data = _hex(table, "hex", table.text("hex"))
-    else:
-        data = table.text("ascii").encode("ascii", errors="replace")
-    if not data:
-        table.fail("name", "a command needs at least one byte")
-    if table.flag("append_checksum", False):
-        if checksum is None:
-            table.fail("append_checksum", "the frame has no checksum to append")
-        whole = np.frombuffer(data + bytes(checksum.size), dtype=np.uint8).reshape(1, -1).copy()
-        Checksum(checksum).stamp(whole)
-        data = whole.tobytes()
-    expect = table.text("expect", "")
-    try:
-        re.compile(expect)
-    except re.error as error:
-        table.fail("expect", f"is no regular expression: {error}")
-    command = Command(
-        name,
-        data,
-        repeat=table.integer("repeat", 1, low=1, high=100),
-        gap_ms=table.integer("gap_ms", 0, high=10_000),
-        wait_ms=table.integer("wait_ms", 200, high=60_000),
-        expect=expect,
-        expect_bytes=_hex(table, "expect_hex", table.text("expect_hex", "")),
-        capture=_capture(table.table("capture")),
-    )
-    table.done()
-    return command
-
-
-def read_commands(tables: Sequence[Table], checksum: ChecksumSpec | None) -> dict[str, Command]:
-    """Read the [[command]] sections."""
-    commands: dict[str, Command] = {}
-    for table in tables:
-        command = _command(table, checksum)
-        if command.name in commands:
-            table.fail("name", f'"{command.name}" is used twice')
-        commands[command.name] = command
-    return commands

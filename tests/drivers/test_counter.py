@@ -1,5 +1,7 @@
 """Numbering of samples by a device's counter, and without one."""
 
+import itertools
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -16,7 +18,7 @@ def run(
     index: list[int] = []
     events: list[Event] = []
     edges = [0, *sorted(cut for cut in cuts if 0 < cut < len(losses)), len(losses)]
-    for begin, end in zip(edges, edges[1:], strict=False):
+    for begin, end in itertools.pairwise(edges):
         if begin < end:
             piece = None if counts is None else np.array(counts[begin:end])
             numbers, said = counter.number(piece, np.array(losses[begin:end]))
