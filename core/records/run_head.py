@@ -185,15 +185,14 @@ def _read_line(
         found = tomllib.loads(line)
     except (ValueError, RecursionError) as error:
         raise FormatError(path, f"no TOML value: {error}", line=number) from error
+    left, right = (part.strip() for part in line.split("=", 1))
     for key, value in found.items():
-        if key in values:
-            raise FormatError(path, f"{key} is given twice", line=number)
-        if isinstance(value, str | bool | int | float):
-            values[key] = value
-        elif isinstance(value, dict):
-            raise FormatError(path, f"{line!r}: expected a text, a number or a list", line=number)
-        else:
-            values[key] = TomlText(line.split("=", 1)[1].strip())
+        name = key
+        while isinstance(value, dict) and not right.startswith("{"):  # a dotted key
+            name, (value,) = left, cast(dict[str, object], value).values()
+        if name in values:
+            raise FormatError(path, f"{name} is given twice", line=number)
+        values[name] = value if isinstance(value, str | bool | int | float) else TomlText(right)
 
 
 def _key(key: str) -> str:

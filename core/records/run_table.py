@@ -3,6 +3,7 @@
 import csv
 import json
 import math
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -156,7 +157,8 @@ def read_table(lines: list[str], first: int, path: str) -> Table:
         It is no CSV, a row has another number of cells, or there are no rows.
     """
     # A spreadsheet on a Ukrainian computer writes semicolons and decimal commas.
-    mark = ";" if ";" in lines[0] else ","
+    separators = re.sub(r'"[^"]*"|[^,;]', "", lines[0])
+    mark = separators[:1] or ","
     reader = csv.reader((line + "\n" for line in lines), delimiter=mark, strict=True)
     names: list[str] = []
     rows: list[list[str]] = []
