@@ -1,11 +1,11 @@
 """What acted on the sensor, row by row."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from core.arrays import FloatArray
+from core.arrays import FloatArray, IntArray
 from core.errors import FitError
 from core.plans.orientation import (
     LEVEL,
@@ -55,6 +55,17 @@ class Stimulus:
         if column is None or not np.all(np.isfinite(column)):
             raise FitError(f"the data hold no complete column {name!r}, which the model needs")
         return column
+
+    def rows(self, chosen: Sequence[int] | IntArray) -> "Stimulus":
+        """The stimulus of these rows only, in this order."""
+        index = np.asarray(chosen, dtype=np.int64)
+        return Stimulus(
+            a=self.a[index],
+            w=self.w[index],
+            da_dhead=self.da_dhead[index],
+            dw_drate=self.dw_drate[index],
+            columns={name: column[index] for name, column in self.columns.items()},
+        )
 
     def scaled_force(self, factor: float) -> "Stimulus":
         """The same with `a` multiplied: what another value of g would have done."""

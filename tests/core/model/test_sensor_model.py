@@ -8,7 +8,8 @@ from core.model.sensor_model import SensorModel
 from core.model.stimulus import Stimulus
 
 RNG = np.random.default_rng(8)
-STIMULUS = Stimulus(*(RNG.normal(size=(6, 3)) for _ in range(4)))
+A, W, NONE = RNG.normal(size=(6, 3)), RNG.normal(size=(6, 3)), np.zeros((6, 3))
+STIMULUS = Stimulus(A, W, NONE, NONE)
 
 
 def full() -> SensorModel:
