@@ -113,11 +113,14 @@ class BlockWriter:
         """Sync and close; may be called again."""
         if self._fd < 0:
             return
+        fd, self._fd = self._fd, -1
         try:
-            self.sync()
-        finally:
-            os.close(self._fd)
-            self._fd = -1
+            try:
+                _sync(fd)
+            finally:
+                os.close(fd)
+        except OSError as error:
+            raise StorageError(f"{self.path}: not safe on disk: {error.strerror}") from error
 
     def _put(self, data: bytes) -> None:
         written = 0
@@ -126,10 +129,17 @@ class BlockWriter:
                 written += os.write(self._fd, data[written:])
         except OSError as error:
             if written:
-                os.ftruncate(self._fd, self._end)
-                os.lseek(self._fd, self._end, os.SEEK_SET)
+                self._take_back()
             raise StorageError(f"{self.path}: cannot be written: {error.strerror}") from error
         self._end += len(data)
+
+    def _take_back(self) -> None:
+        """Remove the beginning of a block; if even that fails, readers pass over it."""
+        try:
+            os.ftruncate(self._fd, self._end)
+            os.lseek(self._fd, self._end, os.SEEK_SET)
+        except OSError:
+            return
 
 
 def sync_file(path: Path) -> None:

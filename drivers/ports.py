@@ -1,7 +1,7 @@
 """Which ports there are, likeliest first, and how to find an adapter again."""
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from serial.tools import list_ports as pyserial_ports
@@ -60,13 +60,25 @@ def list_ports() -> tuple[PortInfo, ...]:
     return (*found, *(PortInfo(url, text, "simulated") for url, text in SIMULATED))
 
 
-def reopener(url: str, settings: PortSettings = PLAIN, baud: int = 0) -> Opener:
+def reopener(
+    url: str,
+    settings: PortSettings = PLAIN,
+    baud: int = 0,
+    known: Sequence[PortInfo] | None = None,
+) -> Opener:
     """Return a function that opens this port, wherever its USB adapter is by then.
 
     An adapter is known again by maker, product and serial number; one without a serial number,
     by the socket that it is plugged into. Ports without a USB identity keep their names.
+
+    Parameters
+    ----------
+    url, settings, baud : as for `open_port`
+    known : ports as `list_ports` gave them, among which to look the adapter up; without them the
+        ports are listed now, which a window must not wait for
     """
-    found = next((port for port in _machine_ports() if port.url == url), None)
+    ports = _machine_ports() if known is None else known
+    found = next((port for port in ports if port.url == url), None)
     if found is None or found.usb is None:
         return lambda: open_port(url, settings, baud)
     usb = found.usb

@@ -95,11 +95,19 @@ class Bench:
     manner : speeds and vibration
     rate_hz : samples per second
     rng : the source of the vibration
+    timed : something depends on the time alone, so that no row stands for others
     """
 
     def __init__(
-        self, place: Place, manner: Manner, rate_hz: float, rng: np.random.Generator
+        self,
+        place: Place,
+        manner: Manner,
+        rate_hz: float,
+        rng: np.random.Generator,
+        *,
+        timed: bool = False,
     ) -> None:
+        self._timed = timed
         self.place = place
         self.manner = manner
         self.mount = "X_from"
@@ -115,6 +123,7 @@ class Bench:
         self._moves = 0
         self._shaking = 0.0
         self._table_deg = 0.0
+        self._rest: tuple[tuple[object, ...], Stimulus] | None = None
         self.be_at(27.0)
 
     def turn(self, head_deg: float) -> None:
@@ -170,9 +179,8 @@ class Bench:
         """Return what acts on the unit in the next n samples; at rest one row stands for all."""
         t = self._dt * (self._samples + np.arange(n, dtype=np.float64))
         self._samples += n
-        if self._at_rest():
-            at_rest = np.array([self.head.value]), np.array([self.table.value])
-            return self._acting(t[:1], *at_rest, np.array([self.case_c]))
+        if self._at_rest() and not self._timed:
+            return self._resting(t[:1])
         before = self.head.value
         head, table = self.head.path(n, self._dt), self.table.path(n, self._dt)
         moving = (head != self.head.target) | (table != self.table.target)
@@ -191,6 +199,15 @@ class Bench:
         smooth.a[shaking] += self.manner.vibration * shaken * self._knocks.standard_normal(shape)
         w[shaking] += self.manner.shake_dps * shaken * self._jolts.standard_normal(shape)
         return replace(smooth, w=w)
+
+    def _resting(self, t: FloatArray) -> Stimulus:
+        """What acts at rest, worked out once for each rest."""
+        key = (self.mount, self.head.value, self.axis, self.base, self.case_c, self._moves)
+        if self._rest is None or self._rest[0] != key:
+            head, table = np.array([self.head.value]), np.zeros(1)
+            self._rest = key, self._acting(t, head, table, np.array([self.case_c]))
+        rest = self._rest[1]
+        return replace(rest, columns={**rest.columns, "t_s": t})
 
     def _at_rest(self) -> bool:
         return (

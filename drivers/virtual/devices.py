@@ -119,6 +119,11 @@ class Device:
     identity: Mapping[str, str] = field(default_factory=dict[str, str])
     reply_bytes: int = 0
 
+    @property
+    def timed(self) -> bool:
+        """Whether some output depends on the time alone."""
+        return any("t_s" in effect.needs for o in self.outputs for effect in o.model.effects)
+
     def with_effect(self, key: str, values: tuple[float, ...]) -> "Device":
         """The same with one more effect, in all outputs or, by ``ROLE/identifier``, in one.
 

@@ -108,7 +108,13 @@ class Rig:
             np.random.default_rng([options.seed, stream]) for stream in range(3)
         )
         self._device = device
-        self._bench = Bench(options.place, options.manner, self.rate_hz, shaking)
+        self._bench = Bench(
+            options.place,
+            options.manner,
+            self.rate_hz,
+            shaking,
+            timed=options.cold or device.timed,
+        )
         self._unit = Unit(
             device, self.channels, self.rate_hz, noise, noise=options.noise, cold=options.cold
         )

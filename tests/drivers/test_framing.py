@@ -29,12 +29,21 @@ def written(path: Path, parts: list[bytes]) -> None:
     writer.close()
 
 
+def whole_blocks(path: Path) -> list[Block]:
+    """The blocks of a file in which nothing may be damaged."""
+    blocks: list[Block] = []
+    for part in read_blocks(path):
+        assert isinstance(part, Block)
+        blocks.append(part)
+    return blocks
+
+
 def test_round_trip(tmp_path):
     path = tmp_path / "a.calrec"
     parts = payloads(np.random.default_rng(1), 50)
     written(path, parts)
     assert read_header(path) == HEADER
-    blocks = list(read_blocks(path))
+    blocks = whole_blocks(path)
     assert [block.payload for block in blocks] == parts
     assert {block.tag for block in blocks} == {b"RAW0"}
     assert blocks[0].offset % 512 == 0
@@ -44,7 +53,7 @@ def test_every_cut_leaves_the_whole_blocks_before_it(tmp_path):
     path = tmp_path / "a.calrec"
     written(path, payloads(np.random.default_rng(2), 12))
     whole = path.read_bytes()
-    blocks = list(read_blocks(path))
+    blocks = whole_blocks(path)
     ends = [block.offset + 12 + len(block.payload) for block in blocks]
     for cut in range(blocks[0].offset, len(whole)):
         path.write_bytes(whole[:cut])
@@ -59,7 +68,7 @@ def test_a_changed_bit_costs_one_block(tmp_path):
     path = tmp_path / "a.calrec"
     written(path, payloads(np.random.default_rng(3), 12))
     whole = path.read_bytes()
-    blocks = list(read_blocks(path))
+    blocks = whole_blocks(path)
     rng = np.random.default_rng(4)
     for place in rng.integers(blocks[0].offset, len(whole), 200):
         bad = bytearray(whole)
@@ -78,7 +87,7 @@ def test_nothing_is_overwritten(tmp_path):
     written(path, [b"first"])
     with pytest.raises(StorageError, match="cannot be created"):
         BlockWriter(path, HEADER)
-    assert [block.payload for block in read_blocks(path)] == [b"first"]
+    assert [block.payload for block in whole_blocks(path)] == [b"first"]
     with pytest.raises(StorageError, match="cannot be created"):
         BlockWriter(tmp_path / "none" / "a.calrec", HEADER)
 
@@ -121,7 +130,49 @@ def test_full_disk_leaves_whole_blocks(tmp_path, monkeypatch):
     monkeypatch.undo()
     writer.append(b"RAW0", b"after")
     writer.close()
-    assert [block.payload for block in read_blocks(path)] == [b"before" * 100, b"after"]
+    assert [block.payload for block in whole_blocks(path)] == [b"before" * 100, b"after"]
+
+
+def test_disk_that_cannot_even_take_back_half_a_block(tmp_path, monkeypatch):
+    path = tmp_path / "a.calrec"
+    writer = BlockWriter(path, HEADER)
+    writer.append(b"RAW0", b"before")
+    real = os.write
+    calls = []
+
+    def breaking(fd: int, data: bytes) -> int:
+        calls.append(1)
+        if len(calls) > 1:
+            raise OSError(errno.EIO, "Input/output error")
+        return real(fd, data[:20])
+
+    def unable(_fd: int, _size: int) -> None:
+        raise OSError(errno.EIO, "Input/output error")
+
+    monkeypatch.setattr(os, "write", breaking)
+    monkeypatch.setattr(os, "ftruncate", unable)
+    with pytest.raises(StorageError, match="Input/output error"):
+        writer.append(b"RAW0", b"during" * 10)
+    monkeypatch.undo()
+    writer.append(b"RAW0", b"after")
+    writer.close()
+    before, damage, after = read_blocks(path)
+    assert isinstance(before, Block)
+    assert isinstance(damage, Damage)
+    assert isinstance(after, Block)
+    assert (before.payload, damage.count, after.payload) == (b"before", 20, b"after")
+
+
+def test_disk_that_vanishes_at_the_end_is_said(tmp_path, monkeypatch):
+    writer = BlockWriter(tmp_path / "a.calrec", HEADER)
+
+    def unable(_fd: int) -> None:
+        raise OSError(errno.EIO, "Input/output error")
+
+    monkeypatch.setattr(os, "fdatasync", unable)
+    with pytest.raises(StorageError, match="not safe on disk"):
+        writer.close()
+    writer.close()
 
 
 def test_sync_of_a_file_that_is_gone(tmp_path):

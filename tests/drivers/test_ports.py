@@ -94,3 +94,15 @@ def test_other_ports_keep_their_names(machine, monkeypatch):
     monkeypatch.setattr("drivers.ports.open_port", lambda url, *_: opened.append(url))
     reopener("/dev/pts/3")()
     assert opened == ["/dev/pts/3"]
+
+
+def test_a_list_that_is_at_hand_is_not_made_again(machine, monkeypatch):
+    opened = []
+    monkeypatch.setattr("drivers.ports.open_port", lambda url, *_: opened.append(url))
+    machine.append(adapter("/dev/ttyUSB0", 0x0403, "A5", "1-1"))
+    known = list_ports()
+    machine.clear()
+    reopen = reopener("/dev/ttyUSB0", known=known)
+    machine.append(adapter("/dev/ttyUSB1", 0x0403, "A5", "1-1"))
+    reopen()
+    assert opened == ["/dev/ttyUSB1"]

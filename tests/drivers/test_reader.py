@@ -45,10 +45,10 @@ class Script:
         step = self._steps.pop(0)
         if isinstance(step, Exception):
             raise step
-        if isinstance(step, float):
-            self._cancelled.wait(step)
-            return b""
-        return step
+        if isinstance(step, bytes):
+            return step
+        self._cancelled.wait(step)
+        return b""
 
     def write(self, data: bytes) -> None:
         self.written += data

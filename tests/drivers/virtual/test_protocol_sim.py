@@ -11,7 +11,7 @@ from drivers.transport import open_port
 from drivers.virtual.address import rig_of
 
 
-def opened(query: str, device: str = "cvg25", **settings) -> serial.SerialBase:
+def opened(query: str, device: str = "cvg25", **settings) -> serial.Serial:
     open_port("sim://clbacc?name=registers-the-handler").close()
     return serial.serial_for_url(f"sim://{device}?{query}", baudrate=115200, **settings)
 

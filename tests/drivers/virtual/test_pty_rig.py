@@ -40,6 +40,7 @@ def test_orders_are_obeyed_and_answered():
         assert rig.order(turn=90)["ok"] is True
         time.sleep(0.1)
         state = rig.order(state=True)["state"]
+        assert isinstance(state, dict)
         assert state["head_target_deg"] == 90.0
         with pytest.raises(ValueError, match="unknown mount"):
             rig.order(remount="sideways")
@@ -51,7 +52,7 @@ def test_orders_are_obeyed_and_answered():
 def test_backlog_of_a_port_that_nobody_reads_is_lost_and_counted():
     with PtyProcess("sim://cvg25?rate=2000&speed=10") as rig:
         time.sleep(0.5)
-        assert rig.order(state=True)["overrun"] > 0
+        assert rig.order(state=True)["overrun"] not in (0, None)
 
 
 def test_link_names_the_port_over_unplugging(tmp_path):

@@ -120,6 +120,17 @@ def test_same_seed_same_bytes_however_they_are_asked_for():
     assert walk(Rig(RigOptions(device="pointer", seed=5)), (1000,)) != whole
 
 
+def test_warming_up_is_smooth_within_a_block():
+    rig = Rig(RigOptions(device="cvg25", cold=True, noise=0.0))
+    temperature = hear(rig, 100.0)["temp"]
+    steps = np.diff(temperature)
+    assert np.all(steps >= 0.0)
+    assert steps.max() < 1e-4
+    assert temperature[-1] - temperature[0] == pytest.approx(
+        9.0 * (1 - math.exp(-100 / 900)), rel=1e-2
+    )
+
+
 def test_orders_wait_for_their_time_and_the_state_tells():
     rig = Rig(RigOptions(manner=Manner(head_dps=90.0)))
     rig.turn(45.0, after_s=1.0)
