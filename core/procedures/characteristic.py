@@ -282,7 +282,9 @@ def bias_asymmetry(points: Points) -> Estimate | None:
     if lines is None:
         return None
     sigma, dof = points.branch_sigma()
-    row = (lines[0, 0] - lines[1, 0]) / points.k
+    # A dead band makes the line through all rows too flat; the two half-lines are not.
+    k = float(lines[:, 1].mean(axis=0) @ points.y)
+    row = (lines[0, 0] - lines[1, 0]) / k
     return Estimate(float(row @ points.y), float(np.sqrt(row**2 @ sigma**2)), dof, INPUT_UNIT)
 
 

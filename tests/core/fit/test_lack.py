@@ -73,4 +73,4 @@ def test_notes_carry_the_numbers():
     lack = lack_of_fit(LINE, y, residuals(y), NONE)
     assert lack is not None
     assert f"{lack.pure_sd:.3g}" in lack_note(lack).text
-    assert "3.0 times" in rejected_note(1e-4, 9.0).text
+    assert "3.0 times" in rejected_note(1e-4, 9.0, False).text
