@@ -50,7 +50,8 @@ def lack_of_fit(
     """
     scale = np.abs(design).max(axis=0)
     keys = np.round(design / np.where(scale > 0, scale, 1.0), 9) + 0.0
-    group = np.unique(keys, axis=0, return_inverse=True)[1].ravel()
+    known: dict[bytes, int] = {}
+    group = np.array([known.setdefault(key.tobytes(), len(known)) for key in keys])
     count = np.bincount(group)
     n, p = design.shape
     pure_dof = n - len(count)
@@ -68,14 +69,19 @@ def lack_of_fit(
     return LackOfFit(float(np.sqrt(pure)), pure_dof, statistic, f_sf(statistic, lack_dof, dof))
 
 
-def rejected_note(p_value: float, ratio: float) -> Note:
+def rejected_note(p_value: float, ratio: float, repeatability_is_unknown: bool) -> Note:
     """The stated uncertainties do not cover the residuals."""
+    meaning = (
+        "the uncertainties allow for it; the unit drifts between accumulations, positions were"
+        " set worse than stated, or the model lacks something"
+        if repeatability_is_unknown
+        else "all uncertainties were enlarged by that factor, and the model lacks something"
+    )
     return Note(
         Severity.WARNING,
         "model_rejected",
         f"the residuals are {np.sqrt(ratio):.1f} times larger than the stated uncertainties of the"
-        f" rows allow (p = {p_value:.2g}); all uncertainties were enlarged by that factor, and the"
-        " model lacks something",
+        f" rows allow (p = {p_value:.2g}); {meaning}",
     )
 
 

@@ -43,10 +43,12 @@ class FitResult:
     t_dof : (p,) effective degrees of freedom of each standard uncertainty; inf when sigma is known
     fitted, residuals : (m,) model output and measured minus model, output units
     sigma : (m,) standard uncertainty of each row, output units
-    sigma_source : ``"known"`` (from the accumulations and stated inputs), ``"residual"`` (from the
-        scatter about the model) or ``"none"`` (no degrees of freedom, no uncertainty)
-    chi2, dof : sum of squared residuals over `sigma`, rows minus parameters
-    p_value : probability of a larger chi-square with a right model; NaN unless sigma is known
+    sigma_source : ``"known"`` (from the accumulations and stated inputs), ``"partly"`` (the same
+        and extra scatter as the residuals suggest), ``"residual"`` (from the scatter about the
+        model) or ``"none"`` (no degrees of freedom, no uncertainty)
+    chi2, dof : sum of squared residuals over their known variances (over `sigma` where none is
+        known), rows minus parameters
+    p_value : probability of a larger chi-square with a right model; NaN unless variances are known
     condition : condition number of the design with columns of unit length
     lack_of_fit : the test against replicates, None without replicates
     notes : every doubt, not the first

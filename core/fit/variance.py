@@ -56,8 +56,8 @@ def setting_errors(
         ahead = model.predict(stimulus.turned(step), values)
         behind = model.predict(stimulus.turned(-step), values)
         errors[0] = u_head * (ahead - behind) / (2.0 * step)
-    u_rate = rate_uncertainty(stimulus, conditions)
-    if np.any(u_rate > 0):
+    if conditions.rate_u_ppm > 0 or conditions.rate_u_dps > 0:
+        u_rate = rate_uncertainty(stimulus, conditions)
         step = 1e-3
         ahead = model.predict(stimulus.spun(step), values)
         behind = model.predict(stimulus.spun(-step), values)

@@ -85,7 +85,7 @@ def _fit_channel(
 ) -> FitResult:
     sensor = Sensor(run.sensor, axis, run.unit)
     full = (CATALOGUE["bias"], CATALOGUE["scale_factor"], CATALOGUE["cross_axis"])
-    se_dof = run.extra.get(f"y_se_dof_{channel + 1}", np.full(len(run), np.inf))
+    se_dof = run.extra.get("se_dof", np.full(len(run), np.inf))
     rows = Rows(run.y[:, channel], run.y_se[:, channel], se_dof)
     notes: tuple[Note, ...] = ()
     try:
@@ -150,7 +150,7 @@ def _opposite_pairs(
     difference = high.bias - low.bias
     spread = float(np.sqrt(low.share + high.share))
     per_mg = abs(fit.value("scale_factor")) * g / _MG
-    if fit.sigma_source == "known":
+    if fit.sigma_source in ("known", "partly"):
         limit = student_t(_SURE, np.inf) * spread * float(np.sqrt(np.mean(fit.sigma**2)))
     elif fit.lack_of_fit is not None:
         limit = student_t(_SURE, fit.lack_of_fit.pure_dof) * spread * fit.lack_of_fit.pure_sd

@@ -27,6 +27,9 @@ class Conditions:
     head_u_arcsec : standard uncertainty of one setting of the dividing head
     rate_u_ppm : standard uncertainty of one setting of the rate table, ppm of the rate
     rate_u_dps : the same, absolute part, deg/s
+    repeatability : standard deviation between accumulations of the same position beyond their
+        own noise (drift, bias instability), input units; NaN where it is unknown and must be
+        found from the residuals
     sample_rate_hz : samples per second within an accumulation
     """
 
@@ -37,6 +40,7 @@ class Conditions:
     head_u_arcsec: float = np.nan
     rate_u_ppm: float = np.nan
     rate_u_dps: float = np.nan
+    repeatability: float = 0.0
     sample_rate_hz: float = np.nan
 
 
