@@ -26,7 +26,7 @@ class Columns:
 
     def take(self, channels: tuple[Channel, ...]) -> None:
         """Give each of these a column; one of the same name but another unit replaces the old."""
-        if channels is self.channels:
+        if self._places and channels is self.channels:
             return
         known = list(self.channels) if self._places else []
         for channel in channels:

@@ -15,6 +15,14 @@ def test_what_was_expected_holds_until_the_first_frame():
     assert columns.channels == (C, A)
 
 
+def test_what_was_expected_may_come():
+    expected = (A, B)
+    columns = Columns(expected)
+    columns.take(expected)
+    assert columns.places((B,)).tolist() == [1]
+    assert not columns.lack(expected)
+
+
 def test_new_channels_come_behind_the_known_ones():
     columns = Columns()
     columns.take((A, B))
