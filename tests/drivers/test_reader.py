@@ -128,6 +128,15 @@ def test_events_come_in_order_and_ended_is_the_last():
     assert samples(events)[0].tolist() == [0, 1, 2]
 
 
+@pytest.mark.parametrize("end", [EndOfStream(), LinkError("script", "the port vanished")])
+def test_half_a_frame_at_the_end_is_accounted_for(end):
+    frames = rig_of("sim://cvg25?name=end&speed=max").produce(3)
+    events = finish(Reader(lambda: Script([frames[:100], frames[100:120], end]), make_decoder(CVG)))
+    assert len(samples(events)[0]) == 2
+    assert sum(event.count for event in events if isinstance(event, Garbage)) == 24
+    assert isinstance(events[-1], Ended)
+
+
 def test_a_vanished_port_ends_with_the_reason():
     lost = LinkError("script", "the port vanished")
     events = finish(Reader(lambda: Script([b"ab", lost]), Letters()))

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from drivers.profile import load_profiles
+from drivers.profile import load_profiles, parse_profile
 from drivers.scan import scan
 from drivers.transport import open_port
 from drivers.virtual.address import rig_of
@@ -148,6 +148,31 @@ def test_text_lines_are_found_after_five_alike():
     with Device(lines([0])) as device:
         report = scan([device.port], PROFILES.values())
         assert [found.profile.id for found in report.found] == ["generic_csv"]
+
+
+def test_profile_that_explains_little_of_the_stream_is_left_out():
+    rig = rig_of("sim://cvg25?name=chatty&speed=max")
+    # A gyro whose frames have readable lines between: the lines alone would pass as a device.
+    lines = parse_profile(
+        """
+        schema = 1
+        [device]
+        name = "lines"
+        kind = "imu"
+        [port]
+        baud = [115200]
+        [line]
+        prefix = "$T,"
+        columns = ["a", "b"]
+        """,
+        "lines.toml",
+    )
+    with Device(lambda _right: rig.produce(6) + b"\r\n$T,1,2\r\n") as device:
+        assert scan([device.port], [lines], listen_s=0.5).found
+        report = scan([device.port], [lines, PROFILES["cvgx48"]])
+        (found,) = report.found
+        assert found.profile.id == "cvgx48"
+        assert 0.9 < found.share < 1.0
 
 
 def test_refusals_have_their_reasons_and_do_not_stop_the_scan():
