@@ -145,5 +145,5 @@ def block_means(values: Record, start: int, stop: int, size: int) -> FloatArray:
     for at in range(0, count, step):
         end = min(at + step, count)
         part = np.asarray(values[start + at * size : start + end * size], dtype=np.float64)
-        means[at:end] = (part - offset).reshape(-1, size).mean(axis=1)
+        means[at:end] = (part - offset).reshape(-1, size).mean(axis=1) + offset
     return means
