@@ -15,16 +15,19 @@ sample. Bytes that vanished without a trace, in whole frames, cannot be seen the
 """
 
 from collections import Counter
+from operator import itemgetter
 
 import numpy as np
 
 from core.arrays import IntArray
-from drivers.events import Event, Lost, Message
+from drivers.events import Lost, Message
 
 _VOTES = 4
 _MOST_VOTES = 16
 _AGREEING = 16
 _CERTAIN_BITS = 16
+
+Said = tuple[int, Lost | Message]
 
 
 class SampleCounter:
@@ -50,7 +53,7 @@ class SampleCounter:
         self._other = 0
         self._agreeing = 0
 
-    def number(self, counts: IntArray | None, losses: IntArray) -> tuple[IntArray, list[Event]]:
+    def number(self, counts: IntArray | None, losses: IntArray) -> tuple[IntArray, list[Said]]:
         """Return the sample numbers of the next frames.
 
         Parameters
@@ -61,53 +64,51 @@ class SampleCounter:
         Returns
         -------
         index : (n,) int64, strictly increasing over all calls
-        events : `Lost`, and a `Message` for each restart of the counter
+        said : `Lost`, and a `Message` for each restart of the counter, with the frame's position
         """
         steps = np.ones(len(losses), dtype=np.int64)
-        events: list[Event] = []
+        said: list[Said] = []
         if counts is None or not self._bits:
             steps += losses
             if self._next == 0:
                 steps[0] = 1
         else:
-            self._count(counts, losses, steps, events)
+            self._count(counts, losses, steps, said)
         index = self._next - 1 + np.cumsum(steps)
-        events.extend(
-            Lost(int(steps[position]) - 1, int(index[position]))
+        said.extend(
+            (position, Lost(int(steps[position]) - 1, int(index[position])))
             for position in np.flatnonzero(steps > 1).tolist()
         )
         self._next = int(index[-1]) + 1
-        return index, events
+        return index, sorted(said, key=itemgetter(0))
 
     def settle(self, step: int) -> None:
         """Take over a step that the device has told."""
         self._given = self.step = step
 
-    def _count(
-        self, counts: IntArray, losses: IntArray, steps: IntArray, events: list[Event]
-    ) -> None:
+    def _count(self, counts: IntArray, losses: IntArray, steps: IntArray, said: list[Said]) -> None:
         """Set the steps by the counter."""
         at = 0
         while at < len(counts):
             if self.step and self._last >= 0 and counts[at] >= 0 and not self._since:
-                at = self._stretch(counts, at, steps, events)
+                at = self._stretch(counts, at, steps, said)
             else:
-                first = self._next == 0 and at == 0
-                steps[at] = self._single(int(counts[at]), 0 if first else int(losses[at]), events)
+                loss = 0 if self._next == 0 and at == 0 else int(losses[at])
+                steps[at] = self._single(int(counts[at]), loss, at, said)
                 at += 1
 
-    def _single(self, count: int, loss: int, events: list[Event]) -> int:
+    def _single(self, count: int, loss: int, at: int, said: list[Said]) -> int:
         """Return the step of a frame without counter, or while the step is not known."""
         step = 1 + loss if count < 0 or not self.step else 1
         if count < 0:
             self._since += step
             return step
         if self._last >= 0:
-            step = max(1, self._advance(count, step + self._since, events) - self._since)
+            step = max(1, self._advance(count, step + self._since, at, said) - self._since)
         self._last, self._since = count, 0
         return step
 
-    def _stretch(self, counts: IntArray, at: int, steps: IntArray, events: list[Event]) -> int:
+    def _stretch(self, counts: IntArray, at: int, steps: IntArray, said: list[Said]) -> int:
         """Set the steps from one frame on; return where the counter ends or its step changes."""
         missing = np.flatnonzero(counts[at:] < 0)
         end = at + int(missing[0]) if len(missing) else len(counts)
@@ -119,7 +120,7 @@ class SampleCounter:
             if position > previous + 1:
                 self._agreeing = 0
             self._last = int(before[position - at])
-            steps[position] = self._advance(int(counts[position]), 1, events)
+            steps[position] = self._advance(int(counts[position]), 1, position, said)
             self._last = int(counts[position])
             previous = position
             if self.step != known:
@@ -129,7 +130,7 @@ class SampleCounter:
         self._last = int(counts[end - 1])
         return end
 
-    def _advance(self, count: int, guess: int, events: list[Event]) -> int:
+    def _advance(self, count: int, guess: int, at: int, said: list[Said]) -> int:
         """Return by how many samples a frame follows the one before."""
         change = (count - self._last) % self._modulus
         if not self.step:
@@ -137,7 +138,7 @@ class SampleCounter:
             return guess
         if self._bits > _CERTAIN_BITS and change > self._modulus // 2:
             fields = {"from": str(self._last), "to": str(count)}
-            events.append(Message("counter restarted", b"", fields))
+            said.append((at, Message("counter restarted", b"", fields)))
             return 1
         ratio = max(1, round(change / self.step))
         self._doubt(change, agrees=round(change / self.step) == 1)

@@ -245,6 +245,6 @@ class LineDecoder:
             counts = (np.rint(column) % 2.0**self._spec.counter.bits).astype(np.int64)
         data = numbers * self._scales + self._offsets
         index, said = self._counter.number(counts, losses)
-        events.extend(said)
+        events.extend(event for _, event in said)
         data.flags.writeable = index.flags.writeable = False
         events.append(SampleBlock(self._channels, index, data, self._rate))

@@ -174,32 +174,38 @@ class StreamDecoder(ABC):
         self, batch: Batch, begin: int, end: int, groups: list[tuple[Layout, IntArray]],
         events: list[Event],
     ) -> None:  # fmt: skip
-        holds = [(layout, where) for layout, where in groups if layout.channels and len(where)]
-        talks = [
-            (position, layout.message)
+        """Turn frames into messages and one block; only the block's place among them is lost."""
+        said: list[tuple[int, Event]] = [
+            (position, layout.message(self._frame(batch, position)))
             for layout, where in groups
             if layout.message is not None
             for position in where.tolist()
         ]
-        for position, message in sorted(talks, key=itemgetter(0)):
-            events.append(message(self._frame(batch, position)))
-        if not holds:
-            return
-        frames = np.arange(begin, end)
-        if len(holds) < len(groups):
-            frames = np.sort(np.concatenate([where for _, where in holds]))
-        data, counts = self._values(batch, frames, holds)
-        self.fill(data)
-        losses = self._losses(batch, frames)
-        index, said = self._counter.number(counts, losses)
+        holds = [(layout, where) for layout, where in groups if layout.channels and len(where)]
+        block: SampleBlock | None = None
+        if holds:
+            frames = np.arange(begin, end)
+            if len(holds) < len(groups):
+                frames = np.sort(np.concatenate([where for _, where in holds]))
+            data, counts = self._values(batch, frames, holds)
+            self.fill(data)
+            index, counted = self._counter.number(counts, self._losses(batch, frames))
+            said.extend((int(frames[row]), event) for row, event in counted)
+            block = self._possible(data, index, events)
+        events.extend(event for _, event in sorted(said, key=itemgetter(0)))
+        if block is not None:
+            events.append(block)
+
+    def _possible(
+        self, data: FloatArray, index: IntArray, events: list[Event]
+    ) -> SampleBlock | None:
+        """Return the block of the samples that are possible, and count the others."""
         possible = self.accept(data)
         if possible is not None and not possible.all():
             events.append(BadValues(int(np.count_nonzero(~possible))))
             data, index = data[possible], index[possible]
-        events.extend(said)
-        if len(data):
-            data.flags.writeable = index.flags.writeable = False
-            events.append(SampleBlock(self.channels, index, data, self.rate))
+        data.flags.writeable = index.flags.writeable = False
+        return SampleBlock(self.channels, index, data, self.rate) if len(data) else None
 
     def _values(
         self, batch: Batch, frames: IntArray, groups: list[tuple[Layout, IntArray]]

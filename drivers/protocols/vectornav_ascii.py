@@ -170,6 +170,6 @@ class VectorNavAsciiDecoder:
             data[row, self._columns.places(held)] = numbers
         losses = np.array([lost for _, lost in readings], dtype=np.int64)
         index, said = self._counter.number(None, losses)
-        events.extend(said)
+        events.extend(event for _, event in said)
         data.flags.writeable = index.flags.writeable = False
         events.append(SampleBlock(channels, index, data, self._rate))

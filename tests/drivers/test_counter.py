@@ -23,7 +23,7 @@ def run(
             piece = None if counts is None else np.array(counts[begin:end])
             numbers, said = counter.number(piece, np.array(losses[begin:end]))
             index.extend(numbers.tolist())
-            events.extend(said)
+            events.extend(event for _, event in said)
     return index, events
 
 
