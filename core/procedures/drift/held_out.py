@@ -1,0 +1,190 @@
+"""Every method judged on turn-ons that it has not seen.
+
+Residuals on the turn-ons that made a table always fall with more knots; those on others stop
+falling where the knots begin to follow the noise.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from core.arrays import FloatArray, IntArray
+from core.procedures.drift.angles import sharpest_knots
+from core.procedures.drift.curves import Curves
+from core.procedures.drift.hats import hat_basis, projector
+from core.procedures.drift.knots import optimal_knots
+from core.procedures.drift.table import BYTES_PER_NUMBER, DriftTable
+
+_AS_GOOD = 1.02
+"""Residuals within 2 % of the least are as good: the smaller table is taken."""
+_FLOAT_BYTES = 4
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class MethodScore:
+    """How one method does on turn-ons that it has not seen.
+
+    Parameters
+    ----------
+    method : key of `METHODS`
+    rms : root mean square of the block means that it leaves, over all turn-ons
+    by_temperature : (m,) the same at each temperature
+    bytes : memory that it takes
+    """
+
+    method: str
+    rms: float
+    by_temperature: FloatArray
+    bytes: int
+
+
+@dataclass(frozen=True, slots=True)
+class KnotScore:
+    """What is left on held-out turn-ons with a table of so many knots."""
+
+    knots: int
+    rms: float
+
+
+Fit = Callable[[FloatArray, FloatArray, int], FloatArray]
+"""Smooth curves (m, k) at times (k,) with so many knots."""
+
+
+def knot_times(curves: Curves, places: IntArray) -> FloatArray:
+    """Times of knots; the outermost at the edges of the blocks, where the table begins and ends."""
+    times = curves.t[places].copy()
+    times[0], times[-1] = curves.alignment.stop_s, curves.horizon_s
+    return times
+
+
+def broken_line(t: FloatArray, curves: FloatArray, knots: FloatArray) -> FloatArray:
+    """The least-squares broken lines (m, k) of curves (m, k)."""
+    return curves @ projector(t, knots).T @ hat_basis(t, knots).T
+
+
+def _nothing(_t: FloatArray, curves: FloatArray, _knots: int) -> FloatArray:
+    return np.zeros_like(curves)
+
+
+def _itself(_t: FloatArray, curves: FloatArray, _knots: int) -> FloatArray:
+    return curves
+
+
+def _polynomial(order: int) -> Fit:
+    def smooth(t: FloatArray, curves: FloatArray, _knots: int) -> FloatArray:
+        x = (t - t[0]) / (t[-1] - t[0]) * 2.0 - 1.0
+        q = np.linalg.qr(x[:, None] ** np.arange(order + 1))[0]
+        return curves @ q @ q.T
+
+    return smooth
+
+
+def _angles(t: FloatArray, curves: FloatArray, knots: int) -> FloatArray:
+    smooth = np.empty_like(curves)
+    for row, curve in zip(smooth, curves, strict=True):
+        places = sharpest_knots(curve, knots)
+        row[:] = np.interp(t, t[places], curve[places])
+    return smooth
+
+
+def _optimal(t: FloatArray, curves: FloatArray, knots: int) -> FloatArray:
+    return broken_line(t, curves, t[optimal_knots(t, curves, knots)[-1]])
+
+
+METHODS: dict[str, Fit] = {
+    "none": _nothing,
+    "cubic": _polynomial(3),
+    "quartic": _polynomial(4),
+    "angles": _angles,
+    "table": _optimal,
+    "mean": _itself,
+}
+"""No correction; polynomials in time; the source's angles; CalRig's table, its knots left on the
+blocks; the mean curve itself, the floor that no smoothing of it can beat by much."""
+
+
+def method_bytes(method: str, temperatures: int, knots: int, blocks: int) -> int:
+    """Memory that a method takes for all temperatures, without the temperatures themselves."""
+    return {
+        "none": 0,
+        "cubic": 4 * _FLOAT_BYTES * temperatures,
+        "quartic": 5 * _FLOAT_BYTES * temperatures,
+        "angles": 2 * knots * BYTES_PER_NUMBER * temperatures,
+        "table": (temperatures + 1) * knots * BYTES_PER_NUMBER,
+        "mean": blocks * BYTES_PER_NUMBER * temperatures,
+    }[method]
+
+
+def folds_of(curves: Curves) -> tuple[int, ...]:
+    """Ranks that can be left out: those with another turn-on of their temperature beside them."""
+    return tuple(range(int(curves.counts.max()))) if curves.counts.max() > 1 else ()
+
+
+def knot_scores(curves: Curves, limit: int) -> tuple[KnotScore, ...]:
+    """What 2 ... `limit` knots leave on the turn-ons left out; empty without repetitions."""
+    squares, count = np.zeros(limit - 1), 0
+    for rank in folds_of(curves):
+        held = _held(curves, rank)
+        mean = curves.mean_without(rank)
+        count += held.sum() * len(curves.t)
+        for at, places in enumerate(optimal_knots(curves.t, mean, limit)):
+            smooth = broken_line(curves.t, mean, knot_times(curves, places))
+            squares[at] += float(np.sum((curves.y[held] - smooth[curves.place[held]]) ** 2))
+    if not count:
+        return ()
+    return tuple(
+        KnotScore(at + 2, float(np.sqrt(total / count))) for at, total in enumerate(squares)
+    )
+
+
+def fewest_knots(scores: tuple[KnotScore, ...]) -> int:
+    """The fewest knots that leave hardly more than the least."""
+    least = min(score.rms for score in scores)
+    return next(score.knots for score in scores if score.rms <= _AS_GOOD * least)
+
+
+def method_scores(curves: Curves, knots: int) -> tuple[MethodScore, ...]:
+    """Every method on the turn-ons left out; empty without repetitions."""
+    m = len(curves.temperatures_c)
+    squares = {method: np.zeros(m) for method in METHODS}
+    counts = np.zeros(m)
+    for rank in folds_of(curves):
+        held = _held(curves, rank)
+        mean = curves.mean_without(rank)
+        counts += np.bincount(curves.place[held], minlength=m)
+        for method, fit in METHODS.items():
+            left = curves.y[held] - fit(curves.t, mean, knots)[curves.place[held]]
+            np.add.at(squares[method], curves.place[held], np.sum(left**2, axis=1))
+    if not counts.any():
+        return ()
+    blocks = len(curves.t)
+    with np.errstate(invalid="ignore"):
+        return tuple(
+            MethodScore(
+                method,
+                float(np.sqrt(total.sum() / counts.sum() / blocks)),
+                np.sqrt(total / counts / blocks),
+                method_bytes(method, m, knots, blocks),
+            )
+            for method, total in squares.items()
+        )
+
+
+def residuals_of(table: DriftTable, curves: Curves) -> FloatArray:
+    """What a table leaves (r, k) of other turn-ons.
+
+    Raises
+    ------
+    FitError
+        A turn-on began outside the temperatures of the table.
+    """
+    rows: list[FloatArray] = []
+    for y, start_c, place in zip(curves.y, curves.start_c, curves.place, strict=True):
+        known = start_c if np.isfinite(start_c) else curves.temperatures_c[place]
+        rows.append(y - table.correction(curves.t, float(known)))
+    return np.array(rows)
+
+
+def _held(curves: Curves, rank: int) -> np.ndarray[tuple[int], np.dtype[np.bool_]]:
+    return (curves.ranks == rank) & (curves.counts[curves.place] > 1)
