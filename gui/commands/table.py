@@ -33,6 +33,10 @@ COMMANDS = {
     "ports": Entry("gui.commands.ports", "list the serial ports, the likeliest device first"),
     "scan": Entry("gui.commands.scan", "find out which device is at which port"),
     "record": Entry("gui.commands.record", "record the raw bytes of a device"),
+    "fit": Entry("gui.commands.fit", "calibrate from measured positions"),
+    "export": Entry("gui.commands.export", "write a calibration as JSON, C header, MATLAB or CSV"),
+    "convert": Entry("gui.commands.convert", "convert between legacy files, run files, sessions"),
+    "simulate": Entry("gui.commands.simulate", "measure a session on the simulated rig"),
 }
 
 

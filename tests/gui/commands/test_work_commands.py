@@ -1,0 +1,127 @@
+"""fit, export, convert, simulate, record and scan, as a user calls them."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from gui.main import main
+
+LEGACY = Path(__file__).parents[2] / "data" / "legacy"
+TABLE_1_2 = LEGACY / "OpticalDividingHead_202405131405.txt"
+TABLE_2_2 = LEGACY / "OpticalDividingHead_202405140930.txt"
+TABLE_2_4 = LEGACY / "Accuracy_202405141110.txt"
+
+
+def answer(arguments: list[str], out: Path) -> dict[str, object]:
+    assert main([*arguments, "--json", str(out)]) == 0
+    return json.loads(out.read_text(encoding="utf-8"))
+
+
+def test_fit_gives_the_practicums_tables(tmp_path: Path) -> None:
+    found = answer(["fit", str(TABLE_2_2), str(TABLE_2_4)], tmp_path / "o.json")
+    positions, accuracy = found["results"]
+    triad = positions["calibration"]["triad"]
+    np.testing.assert_allclose(triad["K"][0], [-1334.9887, -12.821846, -72.560802], rtol=5e-8)
+    np.testing.assert_allclose(triad["U0"], [-378.7525, -194.9475, -229.76375], rtol=1e-9)
+    np.testing.assert_allclose(positions["det_K"], 2386699400.0, rtol=1e-7)
+    np.testing.assert_allclose(
+        positions["bias_mps2"], [0.29171447, 0.15186321, -0.17406349], rtol=1e-7
+    )
+    np.testing.assert_allclose(
+        accuracy["attitude"]["pitch"], [-0.011550499, 30.026704, 60.058997], rtol=1e-7
+    )
+    np.testing.assert_allclose(
+        accuracy["attitude"]["roll"], [-0.0060860658, -0.019482743, -0.054146359], rtol=1e-7
+    )
+    np.testing.assert_allclose(accuracy["norm"], [9.7943233, 9.7979442, 9.8026881], atol=6e-8)
+
+
+def test_fit_says_what_contradicts_and_what_was_assumed(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    assert main(["fit", str(TABLE_1_2)]) == 0
+    text = capsys.readouterr().out
+    assert "1328.0691" in text
+    assert "14.8 mg apart" in text
+    assert "g = 9.8106 m/s^2 was assumed" in text
+    assert main(["fit", str(TABLE_1_2), "--g", "9.81"]) == 0
+    assert "assumed" not in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["fit", "nowhere.txt"], "nowhere.txt: cannot be read"),
+        (["fit", str(TABLE_2_4)], "name a file of positions before it"),
+        (["export", str(TABLE_2_2)], "state it by --g"),
+        (["convert", str(TABLE_2_2), "x.dat"], "name a legacy layout"),
+        (["simulate", "pointer", "s", "--plan", "none"], "there is no such plan"),
+        (["simulate", "pointer", "s", "--effects", "ghost=1"], "no effect 'ghost'"),
+        (["record", "sim://cvg25", "--profile", "none"], "there is no such profile"),
+    ],
+)
+def test_refusals_are_one_line_and_exit_code_2(
+    arguments: list[str],
+    words: str,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    tmp_path: Path,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(arguments) == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert words in line
+
+
+def test_convert_there_and_back_loses_nothing_that_counts(tmp_path: Path) -> None:
+    run, back = tmp_path / "a.run.csv", tmp_path / "back.txt"
+    assert main(["convert", str(TABLE_2_2), str(run)]) == 0
+    assert main(["convert", str(run), str(back), "--to", "pointer"]) == 0
+    first = answer(["fit", str(TABLE_2_2)], tmp_path / "1.json")
+    second = answer(["fit", str(back)], tmp_path / "2.json")
+    triads = [item["results"][0]["calibration"]["triad"]["K"] for item in (first, second)]
+    np.testing.assert_array_equal(*triads)
+
+
+def test_a_simulated_session_is_measured_fitted_and_exported(tmp_path: Path) -> None:
+    session = tmp_path / "session"
+    found = answer(
+        ["simulate", "pointer", str(session), "--accumulation", "2", "--head-u", "5"],
+        tmp_path / "s.json",
+    )
+    assert len(found["parameters"]) == 12
+    assert found["covered"] >= 9  # 12 intervals of 95 %: fewer happens once in some 1e4 sessions
+    assert "truth" not in "".join(path.name for path in session.iterdir())
+    written = answer(
+        ["export", str(session), "--out", str(tmp_path), "--g", "9.8106"], tmp_path / "e.json"
+    )
+    assert all(Path(name).stat().st_size for name in written["written"])
+    again = answer(
+        ["export", written["written"][0], "--format", "c", "--out", str(tmp_path / "two")],
+        tmp_path / "f.json",
+    )
+    assert Path(again["written"][0]).suffix == ".h"
+
+
+def test_record_and_scan_find_the_simulated_device(tmp_path: Path) -> None:
+    record = answer(
+        [
+            "record",
+            "sim://cvg25?speed=20&name=cmd",
+            "--seconds",
+            "0.5",
+            "--profile",
+            "cvgx48",
+            "--out",
+            str(tmp_path / "r.calrec"),
+        ],
+        tmp_path / "r.json",
+    )
+    assert record["counters"]["frames"] > 1000
+    assert record["counters"]["bad_checksum"] == 0
+    found = answer(
+        ["scan", "sim://pointer?speed=20&name=cmd", "--listen", "0.3"], tmp_path / "s.json"
+    )
+    assert found["found"][0]["profile"] == "pw09_raw"
