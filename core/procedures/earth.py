@@ -39,3 +39,14 @@ def latitude_missing(goes_into: str, remedy: str) -> Note:
         f" {EARTH_RATE_DPS * DPH_PER_DPS:.1f} deg/h times the sine of the latitude went into"
         f" {goes_into}; {remedy}",
     )
+
+
+def azimuth_missing(goes_into: str, level: float) -> Note:
+    """The azimuth was not stated, and this gyro is good enough to feel the Earth's level rate."""
+    return Note(
+        Severity.WARNING,
+        "earth_azimuth",
+        "this gyro feels the rotation of the Earth, and the azimuth of the head was not stated: up"
+        f" to {level * DPH_PER_DPS:.1f} deg/h went into {goes_into}; state the azimuth of the"
+        " shaft",
+    )
