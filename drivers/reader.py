@@ -1,6 +1,8 @@
 """The one thread of a port: it opens, reads, logs, decodes and closes.
 
-Everything that the port says comes out of `Reader.drain` in order; `Ended` is the last of it.
+Everything that the port says comes out of `Reader.drain` in order; `Ended` is the last of it. An
+interruption that heals comes as `Message` of kind ``"link lost"``, then ``"reconnected"``, and the
+sample numbers leave a gap as long as it was by the clock, with a `Lost` of that many.
 """
 
 import math
