@@ -4,12 +4,15 @@ open
     `read_any`: a session folder, a run file or a legacy file -> `Run`.
 legacy
     The text files of ClbAcc, Pointer and ClbDUS, read and written.
-run_file
+run_file, run_head, run_table
     ``NAME.run.csv`` <-> `Run`.
 session
     The folder of one test: start document, journal of positions, raw bytes, legacy text.
-calibration_json, exports
-    A `Calibration` as JSON, C header, MATLAB file, CSV.
-atomic, text, names
-    Whole files or nothing; text of any lab computer; file names from device names.
+calibration_json
+    `Calibration` <-> JSON, to the last bit.
+exports, export_c, export_csv, export_mat
+    `EXPORTS`: calibrations for firmware, spreadsheets and MATLAB.
+atomic, text, names, json_fields, replicates
+    Whole files or nothing; text of any lab computer; file names from device names; JSON that names
+    what is wrong in it; replicates of a position.
 """

@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from core.arrays import FloatArray, IntArray, frozen, frozen_int
 from core.errors import FormatError
@@ -91,13 +92,12 @@ class Table:
         """
         if name not in self.cells:
             return frozen(np.full(len(self), np.nan))
-        values = [self._number(cell) for cell in self.cells[name]]
-        for row, value in enumerate(values):
-            if value is None or math.isinf(value):
-                raise self._wrong(name, row, f"{self.cells[name][row]!r} is no number")
-            if needed and math.isnan(value):
-                raise self._wrong(name, row, f"{name} is missing")
-        return frozen([math.nan if value is None else value for value in values])
+        values = self._numbers(self.cells[name])
+        wrong = np.isinf(values) | (np.isnan(values) if needed else False)
+        for row in np.flatnonzero(wrong | self._unreadable(name, values)).tolist():
+            cell = self.cells[name][row]
+            raise self._wrong(name, row, f"{cell!r} is no number" if cell else f"{name} is missing")
+        return frozen(values)
 
     def integers(self, name: str, default: FloatArray) -> IntArray:
         """A column of whole numbers.
@@ -122,22 +122,29 @@ class Table:
         for name, cells in self.cells.items():
             if name in used:
                 continue
-            values = [self._number(cell) for cell in cells]
-            numbers = [value for value in values if value is not None]
-            if len(numbers) < len(values):
-                different = list(dict.fromkeys(cells))
-                numbers = [float(different.index(cell)) for cell in cells]
-                labels[LABELS + name] = json.dumps(different, ensure_ascii=False)
-            columns[name] = frozen(numbers)
+            values = self._numbers(cells)
+            if self._unreadable(name, values).any():
+                different = {cell: place for place, cell in enumerate(dict.fromkeys(cells))}
+                values = np.array([different[cell] for cell in cells], dtype=np.float64)
+                labels[LABELS + name] = json.dumps(list(different), ensure_ascii=False)
+            columns[name] = frozen(values)
         return columns, labels
 
-    def _number(self, cell: str) -> float | None:
-        if not cell:
-            return math.nan
+    def _numbers(self, cells: list[str]) -> FloatArray:
+        """Numbers of cells, NaN where one is empty or holds none."""
+        if self.decimal == ",":
+            cells = [cell.replace(",", ".") for cell in cells]
         try:
-            return float(cell.replace(",", ".") if self.decimal == "," else cell)
+            return np.array(list(map(float, cells)))
         except ValueError:
-            return None
+            return np.array([_number(cell) for cell in cells])
+
+    def _unreadable(self, name: str, values: FloatArray) -> NDArray[np.bool_]:
+        """Which cells hold something that is no number."""
+        found = np.isnan(values)
+        for row in np.flatnonzero(found).tolist():
+            found[row] = self.cells[name][row].lower() not in ("", "nan")
+        return found
 
     def _wrong(self, name: str, row: int, why: str) -> FormatError:
         return FormatError(
@@ -182,6 +189,13 @@ def read_table(lines: list[str], first: int, path: str) -> Table:
         raise FormatError(path, "holds no rows")
     columns = dict(zip(names, map(list, zip(*rows, strict=True)), strict=True))
     return Table(path, columns, places, "," if mark == ";" else ".")
+
+
+def _number(cell: str) -> float:
+    try:
+        return float(cell)
+    except ValueError:
+        return math.nan
 
 
 def _check_names(names: list[str], path: str, line: int) -> None:

@@ -14,6 +14,7 @@ MAX_NUMBERS = 24
 """No layout has more numbers in a row; what stands further left belongs to the name."""
 
 _NUMBER = re.compile(r"[+-]?(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d{1,3})?", re.ASCII)
+_PLAIN = re.compile(r"[0-9.+\-eE]*", re.ASCII)
 _SEPARATOR = re.compile(r"\s*;\s*|\s+")
 
 
@@ -64,15 +65,34 @@ def text_rows(lines: list[str]) -> list[TextRow]:
         cells, sure = _cells(line)
         if not any(cells):
             continue
-        tail: list[float] = []
-        for cell in reversed(cells):
+        rows.append(TextRow(number, cells, _tail(cells), sure))
+    return rows
+
+
+def _tail(cells: list[str]) -> list[float]:
+    """The numbers at the right end of a row."""
+    last = cells[-MAX_NUMBERS:]
+    tail = _plain_numbers(last[1:])
+    if not tail:
+        for cell in reversed(last):
             value = number_of(cell)
-            if len(tail) == MAX_NUMBERS or value != value:
+            if math.isnan(value):
                 break
             tail.append(value)
-        tail.reverse()
-        rows.append(TextRow(number, cells, tail, sure))
-    return rows
+        return tail[::-1]
+    first = number_of(last[0])
+    return tail if math.isnan(first) else [first, *tail]
+
+
+def _plain_numbers(cells: list[str]) -> list[float]:
+    """Numbers of an undamaged row with decimal points, quickly; empty for any other."""
+    if _PLAIN.fullmatch("".join(cells)) is None:
+        return []
+    try:
+        numbers = list(map(float, cells))
+    except ValueError:
+        return []
+    return numbers if all(map(math.isfinite, numbers)) else []
 
 
 def why_no_number(cell: str) -> str:
@@ -94,6 +114,8 @@ def check_decimal_marks(path: str, rows: list[TextRow], numbers: int) -> None:
         At the first number with the other mark.
     """
     first = ""
+    if not any("," in cell for row in rows for cell in row.cells[-numbers:]):
+        return
     for row in rows:
         for place, cell in enumerate(row.cells[-numbers:]):
             mark = "." if "." in cell else "," if "," in cell else ""
@@ -115,7 +137,8 @@ def _cells(line: str) -> tuple[list[str], bool]:
             cells = [cell.strip() for cell in line.rstrip().rstrip(mark).split(mark)]
             # Runs of tabs, or blanks between numbers: the separators were not meant strictly.
             strict = all(cells) or mark == ";"
-            if strict and all(len(cell.split()) < 2 and ";" not in cell for cell in cells[1:]):
+            columns = "|".join(cells[1:])
+            if strict and len(columns.split()) < 2 and ";" not in columns:
                 return cells, True
     text = line.strip()
     return (_SEPARATOR.split(text) if ";" in text else text.split()), False
