@@ -37,12 +37,25 @@ strip_painter     drawing of the stacked charts on any painter
 polyline          arrays of points as polygons
 strip_canvas      painting and what mouse and keys do
 strip_charts      the widget that tabs use
-chart_export      SVG, PNG, PDF
+================  ==================================================================
+
+Results and analysis
+
+================  ==================================================================
+result_table      texts under a title and an equation; clipboard
+table_text        tables as TSV and CSV
+matrix_view       a matrix in brackets, its uncertainties and its equation
+residual_plot     residuals by position inside their band
+plot              curves, bands, points with bars, logarithmic axes (pyqtgraph)
+fast_axis         opaque grid and decades (pyqtgraph)
+chart_export      any of the charts as SVG, PNG, PDF
 ================  ==================================================================
 
 Others
 
 ================  ==================================================================
+log_drawer        what happened since the start
+sound             start tick, done, error
 screenshots       pictures of widgets for the documentation
 ================  ==================================================================
 

@@ -3,6 +3,8 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from PySide6.QtGui import QColor
+
 from gui.widgets.states import Tone
 
 
@@ -13,8 +15,9 @@ class Theme:
     Parameters
     ----------
     window, base, raised : background of the window, of fields and charts, of buttons and headers
-    line, grid : borders; grid of charts (opaque, because translucent lines are drawn pixel by
-        pixel and cost a chart tens of milliseconds a frame)
+    line, field : borders; borders of fields, whose contrast is at least 3:1
+    grid : of charts; opaque, because translucent lines are drawn pixel by pixel and cost a chart
+        tens of milliseconds a frame
     text, muted : what is read, and what only labels it
     accent, on_accent : the one colour of the program, and text on it
     tones : colour of each `Tone`; readable as text on `window` and `base`
@@ -28,6 +31,7 @@ class Theme:
     alternate: str
     raised: str
     line: str
+    field: str
     grid: str
     text: str
     muted: str
@@ -46,6 +50,7 @@ LIGHT = Theme(
     alternate="#f7f8fa",
     raised="#fdfdfe",
     line="#c9ced6",
+    field="#868e99",
     grid="#e4e7eb",
     text="#1a1f26",
     muted="#59636f",
@@ -78,6 +83,7 @@ DARK = Theme(
     alternate="#1a1d22",
     raised="#2a2e35",
     line="#434a54",
+    field="#6b7480",
     grid="#2a2f36",
     text="#e8ebef",
     muted="#a2abb6",
@@ -105,3 +111,13 @@ DARK = Theme(
 
 THEMES: dict[str, Theme] = {"light": LIGHT, "dark": DARK}
 """Names that a setting may hold besides ``"system"``."""
+
+
+def blend(colour: str, ground: str, share: float) -> QColor:
+    """Return a colour mixed into the ground, opaque."""
+    one, other = QColor(colour), QColor(ground)
+    return QColor(
+        round(share * one.red() + (1.0 - share) * other.red()),
+        round(share * one.green() + (1.0 - share) * other.green()),
+        round(share * one.blue() + (1.0 - share) * other.blue()),
+    )

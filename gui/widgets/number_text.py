@@ -2,9 +2,11 @@
 
 import math
 from collections.abc import Sequence
-from decimal import ROUND_HALF_EVEN, Decimal
+from decimal import ROUND_HALF_EVEN, Context, Decimal
 
 MINUS = "\N{MINUS SIGN}"
+# A double has at most 308 digits before the point; the default of 28 is not enough for 1e30.
+_WIDE = Context(prec=700)
 _GAP = "\N{NARROW NO-BREAK SPACE}"
 _FIGURE = "\N{FIGURE SPACE}"
 _PUNCTUATION = "\N{PUNCTUATION SPACE}"
@@ -30,7 +32,9 @@ def fixed(value: float, decimals: int) -> str:
     """Return `value` with so many decimal places and a true minus sign; words for no number."""
     if not math.isfinite(value):
         return "\N{EM DASH}" if math.isnan(value) else ("∞" if value > 0 else f"{MINUS}∞")
-    rounded = Decimal(repr(value)).quantize(Decimal(1).scaleb(-decimals), ROUND_HALF_EVEN)
+    # By the shortest decimal of the double, so that 2.675 rounds as it reads.
+    exact = Decimal(repr(float(value)))
+    rounded = exact.quantize(Decimal(1).scaleb(-decimals), ROUND_HALF_EVEN, _WIDE)
     text = f"{rounded:f}" if rounded else f"{abs(rounded):f}"
     return text.replace("-", MINUS)
 

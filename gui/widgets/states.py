@@ -114,6 +114,77 @@ class BannerState:
 
 
 @dataclass(frozen=True, slots=True)
+class TableState:
+    """A table of results as texts; numbers have the digits that their uncertainties allow.
+
+    Parameters
+    ----------
+    title : over it
+    equation : what the numbers are parameters of; empty where it needs none
+    header : (c,) names of the columns with their units
+    rows : (n, c) texts
+    words : number of columns, from the left, that hold words; the others hold numbers
+    """
+
+    title: str
+    equation: str
+    header: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+    words: int = 1
+
+
+@dataclass(frozen=True, slots=True)
+class MatrixState:
+    """A matrix with the equation that it stands in.
+
+    Parameters
+    ----------
+    symbol : what stands before the bracket, ``"K ="``
+    cells : rows of pairs: value, uncertainty (empty for none)
+    unit, equation : below the matrix, beside it
+    columns : names of the columns; empty for none
+    """
+
+    symbol: str
+    cells: tuple[tuple[tuple[str, str], ...], ...]
+    unit: str = ""
+    equation: str = ""
+    columns: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class ResidualSeries:
+    """Residuals of one sensor.
+
+    Parameters
+    ----------
+    name : of the sensor
+    values : (n,) one a position; NaN where there is none
+    u95 : (n,) half width of the interval that 95 % of them should lie in; empty where unknown
+    """
+
+    name: str
+    values: tuple[float, ...]
+    u95: tuple[float, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class ResidualState:
+    """Residuals by position.
+
+    Parameters
+    ----------
+    positions : (n,) labels under the axis
+    series : one a sensor
+    unit : of the residuals
+    """
+
+    positions: tuple[str, ...]
+    series: tuple[ResidualSeries, ...]
+    unit: str = ""
+
+
+@dataclass(frozen=True, slots=True)
 class LogEntry:
     """One line of the log."""
 

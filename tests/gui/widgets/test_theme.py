@@ -1,4 +1,5 @@
 import itertools
+from importlib import resources
 
 import numpy as np
 import pytest
@@ -8,6 +9,7 @@ from PySide6.QtWidgets import QLabel, QPushButton
 
 from gui.widgets.colours import DARK, LIGHT, THEMES
 from gui.widgets.states import Tone
+from gui.widgets.style_sheet import style_sheet
 from gui.widgets.theme import FAMILY, apply_theme, current_theme
 
 BOTH = pytest.mark.parametrize("theme", [LIGHT, DARK], ids=["light", "dark"])
@@ -72,6 +74,7 @@ def test_text_is_readable(theme):
         assert contrast(theme.text, ground) >= 10
         assert contrast(theme.muted, ground) >= 4.5
     assert contrast(theme.on_accent, theme.accent) >= 4.5
+    assert contrast(theme.field, theme.base) >= 3
     for tone in Tone:
         for ground in (theme.tints[tone], theme.window, theme.base):
             assert contrast(theme.tones[tone], ground) >= 4.5, (tone, ground)
@@ -100,6 +103,17 @@ def test_good_doubt_and_bad_are_told_apart(theme, vision):
 def test_every_colour_is_opaque(theme):
     colours = [*theme.curves, *theme.tones.values(), *theme.tints.values(), theme.grid, theme.line]
     assert all(QColor(c).alpha() == 255 for c in colours)
+
+
+@BOTH
+def test_signs_in_fields_have_the_colours_of_the_table(theme):
+    folder = resources.files("resources") / "icons"
+    colours = {"check": theme.on_accent, "dot": theme.on_accent, "up": theme.muted}
+    colours["down"] = theme.muted
+    sheet = style_sheet(theme)
+    for name, colour in colours.items():
+        assert f"{name}-{theme.name}.svg" in sheet
+        assert f'"{colour}"' in (folder / f"{name}-{theme.name}.svg").read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize("name", THEMES)
