@@ -2,7 +2,12 @@
 
 ================  ==================================================================
 main              entry: no subcommand opens the window, a subcommand runs headless
+app               makes every part and joins them; the table of tabs
+main_window       device strip, tabs, banner, log, the rig's dock
 commands          the subcommands of ``calrig``; no Qt
+dividing_head     accelerometers on the dividing head: ClbAcc and Pointer
+rig               the dock of the simulated rig
+services          what every tab is given
 devices           which devices at which ports, and the links to them
 jobs              long work in a worker thread
 messages          the banner and the log

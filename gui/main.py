@@ -2,6 +2,7 @@
 
 import argparse
 from collections.abc import Sequence
+from pathlib import Path
 
 from core.version import VERSION
 from gui.commands.table import COMMANDS, run_command
@@ -31,9 +32,9 @@ def main(arguments: Sequence[str]) -> int:
         parser.error(f"there is no command {arguments[0]!r}; there are: {', '.join(COMMANDS)}")
     options = parser.parse_args(arguments)
 
-    from gui.app import run
+    from gui.app import Options, run
 
-    return run(simulated=options.simulated)
+    return run(Options(options.simulated, options.folder))
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -41,14 +42,20 @@ def _parser() -> argparse.ArgumentParser:
     listing = "\n".join(f"  {name:<{width}}  {entry.help}" for name, entry in COMMANDS.items())
     parser = argparse.ArgumentParser(
         prog="calrig",
-        usage="calrig [--simulated] | calrig COMMAND ...",
+        usage="calrig [--simulated [DEVICE]] [--folder FOLDER] | calrig COMMAND ...",
         description="Calibration bench for gyroscopes and accelerometers.\n"
         "Without a command the window opens.",
         epilog=f"commands (`calrig COMMAND --help` tells more):\n{listing}",
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     parser.add_argument(
-        "--simulated", action="store_true", help="open the window on the simulated rig"
+        "--simulated",
+        nargs="?",
+        const="pointer",
+        default="",
+        metavar="DEVICE",
+        help="open the window on the simulated rig: pointer, clbacc, or a whole sim:// address",
     )
+    parser.add_argument("--folder", type=Path, help="folder of all sessions (~/CalRig)")
     parser.add_argument("--version", action="version", version=f"calrig {VERSION}")
     return parser

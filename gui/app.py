@@ -1,0 +1,281 @@
+"""The application: makes every part and joins them; nothing else knows more than its own part."""
+
+import importlib
+import signal
+import sys
+import traceback
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from types import TracebackType
+from typing import cast
+
+from PySide6.QtCore import QByteArray, QObject, QStandardPaths, QTimer
+from PySide6.QtWidgets import QApplication
+
+from core.errors import FormatError, LabError, Severity
+from core.plans.plan import Plan, Step
+from core.records.session.find import default_root
+from drivers.profile import Profile, load_profiles
+from drivers.virtual.address import rig_of
+from gui.devices.connection import Connection
+from gui.devices.presenter import DevicesPresenter
+from gui.devices.setup import DeviceSetup, setups_of_section, setups_to_section
+from gui.devices.view import DevicesView
+from gui.jobs import Jobs
+from gui.main_window import LOOKS, MainWindow, Tab, TabModule
+from gui.messages import Messages
+from gui.services import Services
+from gui.settings import Settings, text_of
+from gui.widgets.sound import Cue, Sounds
+from gui.widgets.states import BannerState
+from gui.widgets.theme import apply_theme
+
+TABS: dict[str, str] = {
+    "Dividing head": "gui.dividing_head.tab",
+}
+"""Every tab of the window: its title and the module that makes it."""
+
+_CUES = {"start": Cue.START, "done": Cue.DONE, "error": Cue.ERROR}
+
+
+@dataclass(frozen=True, slots=True)
+class Options:
+    """How the program is started.
+
+    Parameters
+    ----------
+    simulated : device of the simulated rig (``"pointer"``) or its whole address; empty for none
+    root : folder of all sessions; None for the user's own
+    settings : file of the preferences; None for the user's own
+    quiet : no sounds, whatever the preferences say
+    """
+
+    simulated: str = ""
+    root: Path | None = None
+    settings: Path | None = None
+    quiet: bool = False
+
+
+class Application(QObject):
+    """All parts of the program.
+
+    Parameters
+    ----------
+    qt : Qt's application
+    options : how it was started
+    """
+
+    def __init__(self, qt: QApplication, options: Options) -> None:
+        super().__init__()
+        self._qt = qt
+        self._options = options
+        self._root = options.root or default_root()
+        self.settings = Settings(options.settings or _settings_path())
+        self.messages = Messages(self)
+        self.jobs = Jobs(self)
+        self.sounds = Sounds(parent=self)
+        self.connection = Connection(self._profiles, self._raw_folder, self.messages, self)
+        self.devices = DevicesPresenter(
+            self.connection, self._profiles, self.jobs, self.messages, self._why_busy, self
+        )
+        self.services = Services(
+            self.connection,
+            self.jobs,
+            self.messages,
+            self.settings,
+            self._profiles,
+            lambda: self._root,
+            self._play,
+        )
+        self.tabs: dict[str, Tab] = {}
+        self._rig_panel = None
+        look = text_of(self.settings.section("window"), "look", "system")
+        self._look = look if look in LOOKS else "system"
+        apply_theme(qt, self._look)
+        self.window = MainWindow(self.messages, DevicesView(self.devices))
+        self._connect()
+        self._add_tab(next(iter(TABS)))
+        self._restore()
+
+    def start(self) -> None:
+        """Show the window; what is slow comes once it stands on the screen."""
+        self.window.show()
+        QTimer.singleShot(0, self._after_paint)
+
+    def close(self) -> None:
+        """Let go of everything; may be called again."""
+        for tab in self.tabs.values():
+            tab.close()
+        self.connection.close()
+        self.jobs.close()
+        self.sounds.stop()
+        self._remember()
+
+    def open_simulated(self, device: str) -> None:
+        """Connect to the simulated rig."""
+        url = device if "://" in device else f"sim://{device}"
+        try:
+            rig = rig_of(url)
+        except ValueError as error:
+            self.messages.show("rig", BannerState(Severity.ERROR, "No such rig", f"{error}."))
+            return
+        profile = rig.profile
+        name = rig.identity.get("serial") or profile.name
+        self.connection.open([DeviceSetup(url, profile.port.bauds[0], profile.id, name)])
+
+    # --- joining ----------------------------------------------------------------------------------
+
+    def _connect(self) -> None:
+        window, connection = self.window, self.connection
+        connection.strip.connect(window.strip.render)
+        connection.changed.connect(self._on_port)
+        connection.properties_wanted.connect(window.devices.open)
+        window.strip.device_chosen.connect(connection.select)
+        window.look_chosen.connect(self._on_look)
+        window.sound_switched.connect(self._on_sound)
+        window.closing.connect(self.close)
+        self.devices.accepted.connect(self._remember)
+
+    def _add_tab(self, title: str) -> None:
+        module = cast("TabModule", importlib.import_module(TABS[title]))
+        tab = module.make_tab(self.services)
+        self.tabs[title] = tab
+        self.window.tabs.addTab(tab.widget, title)
+
+    def _restore(self) -> None:
+        section = self.settings.section("window")
+        geometry = text_of(section, "geometry")
+        if not (geometry and self.window.restoreGeometry(QByteArray.fromHex(geometry.encode()))):
+            self.window.resize(1280, 800)
+        self.window.show_look(self._look)
+        self._on_sound(section.get("sound") is not False)
+        self.window.show_sound(self.sounds.volume > 0)
+        self.devices.show_setups(setups_of_section(self.settings.section("devices")))
+        if self.settings.doubt:
+            self.messages.log(Severity.WARNING, self.settings.doubt)
+
+    def _after_paint(self) -> None:
+        for title in TABS:
+            if title not in self.tabs:
+                self._add_tab(title)
+        for tab in self.tabs.values():
+            tab.after_paint()
+        setups = self.devices.state.rows
+        known = all(setup.url and setup.profile_id for setup in setups)
+        if self._options.simulated:
+            self.open_simulated(self._options.simulated)
+        elif known and not any(setup.simulated for setup in setups):
+            self.connection.open(setups)
+
+    def _remember(self) -> None:
+        setups = self.connection.setups or self.devices.state.rows
+        self.settings.store("devices", setups_to_section(setups))
+        geometry = bytes(self.window.saveGeometry().toHex().data()).decode()
+        self.settings.store(
+            "window",
+            {"look": self._look, "sound": self.sounds.volume > 0, "geometry": geometry},
+        )
+        try:
+            self.settings.save()
+        except LabError as error:
+            self.messages.log(Severity.WARNING, str(error))
+
+    # --- what the parts ask -----------------------------------------------------------------------
+
+    def _profiles(self) -> Mapping[str, Profile]:
+        try:
+            return load_profiles(self._root / "devices")
+        except FormatError as error:
+            self.messages.tell_error("profiles", "A device file is refused", error)
+            return load_profiles()
+
+    def _raw_folder(self) -> Path:
+        return self._root / "raw"
+
+    def _why_busy(self) -> str:
+        return next((why for tab in self.tabs.values() if (why := tab.why_busy())), "")
+
+    def _play(self, cue: str) -> None:
+        if not self._options.quiet:
+            self.sounds.play(_CUES[cue])
+
+    def _wanted(self) -> tuple[Plan, Step] | None:
+        widget = self.window.tabs.currentWidget()
+        shown = (tab for tab in self.tabs.values() if tab.widget is widget)
+        tab = next(shown, None)
+        return None if tab is None else tab.wanted()
+
+    def _on_port(self) -> None:
+        link = self.connection.link
+        if link is None or not link.setup.simulated:
+            self.window.show_rig(None)
+            return
+        if self._rig_panel is None:
+            from gui.rig.presenter import RigPresenter
+            from gui.rig.view import RigPanel
+
+            self.rig = RigPresenter(self.connection, self._wanted, self)
+            self._rig_panel = RigPanel(self.rig)
+            self.rig.follow()
+        self.window.show_rig(self._rig_panel)
+
+    def _on_look(self, look: str) -> None:
+        self._look = look
+        apply_theme(self._qt, look)
+
+    def _on_sound(self, on: bool) -> None:
+        self.sounds.set_volume(0.6 if on else 0.0)
+
+
+def run(options: Options) -> int:
+    """Open the window and stay until it is closed; return the exit code."""
+    qt = QApplication(sys.argv[:1])
+    qt.setApplicationName("CalRig")
+    qt.setApplicationDisplayName("CalRig")
+    application = Application(qt, options)
+    _hook_errors(application)
+    _hook_signals(application)
+    application.start()
+    code = qt.exec()
+    application.close()
+    return code
+
+
+def _settings_path() -> Path:
+    place = QStandardPaths.StandardLocation.GenericConfigLocation
+    return Path(QStandardPaths.writableLocation(place)) / "calrig" / "settings.json"
+
+
+def _hook_errors(application: Application) -> None:
+    """A fault of the program is told and logged; the program goes on, since data are at stake."""
+
+    def tell(kind: type[BaseException], fault: BaseException, trace: TracebackType | None) -> None:
+        text = "".join(traceback.format_exception(kind, fault, trace))
+        sys.stderr.write(text)
+        application.messages.show(
+            "program",
+            BannerState(
+                Severity.ERROR,
+                "A fault inside the program",
+                f"{kind.__name__}: {fault}. What was accepted is on the disk.",
+                "Go on; if something behaves oddly, start the program anew and resume.",
+            ),
+        )
+        application.messages.log(Severity.ERROR, text, "program")
+
+    sys.excepthook = tell
+
+
+def _hook_signals(application: Application) -> None:
+    """Ctrl+C in the console and a polite end by the system close the window in order."""
+
+    def end(*_: object) -> None:
+        application.window.close()
+
+    for name in ("SIGINT", "SIGTERM"):
+        signal.signal(getattr(signal, name), end)
+    # Python handles signals between its own instructions: give it some now and then.
+    awake = QTimer(application)
+    awake.timeout.connect(lambda: None)
+    awake.start(300)

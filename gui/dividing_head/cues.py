@@ -1,0 +1,265 @@
+"""What the operator is told: the large line of the stage, and banners about positions."""
+
+from dataclasses import dataclass
+
+from core.errors import Severity
+from core.plans.plan import Step
+from core.procedures.measuring import Outcome, Phase, Status
+from core.records.session.events import Position
+from gui.dividing_head.measure import angle_words, label_of, mount_words
+from gui.dividing_head.settings import HeadSettings
+from gui.widgets.number_text import fixed
+from gui.widgets.states import (
+    BannerAction,
+    BannerState,
+    Pose,
+    StageState,
+    StepMark,
+    StepState,
+    Tone,
+)
+
+REPEAT = BannerAction("repeat", "Repeat")
+TAKE = BannerAction("take", "Take it anyway")
+ACCEPT_AS = "accept as "
+"""Key of the action that takes a position under another number, which follows."""
+
+
+@dataclass(frozen=True, slots=True)
+class Scene:
+    """What the stage depends on.
+
+    Parameters
+    ----------
+    status : where the walk stands; None without a device that can be measured
+    steps : of the plan
+    settings : of the test
+    linked : whether samples come
+    why_not : why nothing can be measured, for the stage; empty if something can
+    just_done : the position that was accepted a moment ago
+    done_before : positions of the plan that count
+    total : positions that the plan wants, all passes
+    last_mount : how the unit stood last; empty before the first position
+    doubt : headline over an accumulation that was not taken
+    """
+
+    status: Status | None
+    steps: tuple[Step, ...]
+    settings: HeadSettings
+    linked: bool
+    why_not: tuple[str, str]
+    just_done: Position | None
+    done_before: int
+    total: int
+    last_mount: str
+    doubt: str
+
+
+def stage_of(scene: Scene) -> StageState:
+    """The stage."""
+    status = scene.status
+    if status is None:
+        return StageState(*scene.why_not)
+    if not scene.linked:
+        return StageState(
+            "Link lost",
+            "Everything accepted so far is on the disk. Measuring goes on when the device is back.",
+            Tone.BAD,
+            pose=None if status.step is None else pose_of(status.step, scene.settings),
+        )
+    if status.step is None:
+        return StageState(
+            "All positions done",
+            f"{scene.done_before} positions are on the disk. Press Process Data (F5).",
+            Tone.GOOD,
+        )
+    if scene.just_done is not None and status.phase is not Phase.MEASURING:
+        return _done(scene.just_done, status.step, scene)
+    return _of_phase(status, status.step, scene)
+
+
+def _of_phase(status: Status, step: Step, scene: Scene) -> StageState:
+    pose = pose_of(step, scene.settings)
+    following = _following(step, scene)
+    where = f"Position {step.number}, {scene.done_before + 1} of {scene.total}."
+    match status.phase:
+        case Phase.READY:
+            return StageState(
+                _turn_words(step, scene),
+                f"{where} {_mount_sentence(step, scene)}Then press Space to accumulate"
+                f" {scene.settings.accumulation_s:g} s.",
+                Tone.ACTION,
+                None,
+                None,
+                pose,
+                *following,
+            )
+        case Phase.TURN:
+            return StageState(
+                _turn_words(step, scene),
+                f"{where} {_mount_sentence(step, scene)}Accumulates by itself once the unit is at"
+                " rest.",
+                Tone.ACTION,
+                None,
+                None,
+                pose,
+                *following,
+            )
+        case Phase.MOVING:
+            return StageState(
+                _turn_words(step, scene),
+                f"{where} {_mount_sentence(step, scene)}The unit is moving.",
+                Tone.ACTION,
+                None,
+                None,
+                pose,
+                *following,
+            )
+        case Phase.SETTLING:
+            return StageState(
+                "Settling",
+                f"{where} At rest; hands off.",
+                Tone.BUSY,
+                status.progress,
+                status.remaining_s,
+                pose,
+                *following,
+            )
+        case Phase.MEASURING:
+            return StageState(
+                f"Measuring {status.remaining_s:.0f} s",
+                f"{where} Do not touch the head.",
+                Tone.BUSY,
+                status.progress,
+                status.remaining_s,
+                pose,
+                *following,
+            )
+        case _:
+            return StageState(
+                scene.doubt or "Wrong position",
+                _sentence(status.text),
+                Tone.DOUBT,
+                None,
+                None,
+                pose,
+                *following,
+            )
+
+
+def _done(position: Position, step: Step, scene: Scene) -> StageState:
+    return StageState(
+        f"Position {position.step.number} done",
+        f"On the disk. Next: position {step.number}, {mount_words(step.mount)},"
+        f" {angle_words(step.head_deg)}.",
+        Tone.GOOD,
+        pose=pose_of(step, scene.settings),
+    )
+
+
+def _turn_words(step: Step, scene: Scene) -> str:
+    turn = f"Turn to {angle_words(step.head_deg)}"
+    if scene.last_mount and scene.last_mount != step.mount:
+        return f"Re-mount, {turn[0].lower()}{turn[1:]}"
+    return turn
+
+
+def _mount_sentence(step: Step, scene: Scene) -> str:
+    words = mount_words(step.mount)
+    if scene.last_mount and scene.last_mount != step.mount:
+        return f"Bolt the unit on anew with {words}. "
+    return f"{words}. "
+
+
+def _following(step: Step, scene: Scene) -> tuple[Pose | None, str]:
+    places = [i for i, other in enumerate(scene.steps) if other.number == step.number]
+    place = places[0] + 1 if places else len(scene.steps)
+    if place >= len(scene.steps):
+        return None, ""
+    after = scene.steps[place]
+    return pose_of(after, scene.settings), angle_words(after.head_deg)
+
+
+def pose_of(step: Step, settings: HeadSettings) -> Pose:
+    """The picture of a step."""
+    return Pose(step.mount, step.head_deg, settings.tilter.angles_deg)
+
+
+def doubt_banner(outcome: Outcome, steps: tuple[Step, ...]) -> BannerState:
+    """What to say of an accumulation that was not taken."""
+    errors = [n for n in outcome.accumulation.notes if n.severity is Severity.ERROR]
+    recognition = outcome.recognition
+    if recognition.acceptable:
+        what = {"too_short": "Too short", "moved": "The head moved"}.get(
+            errors[0].subject, "Not taken"
+        )
+        why = errors[0].text
+        others: tuple[BannerAction, ...] = ()
+    else:
+        what, why = _sentence(recognition.text).rstrip("."), ""
+        others = tuple(
+            BannerAction(
+                f"{ACCEPT_AS}{steps[place].number}", f"Accept as position {steps[place].number}"
+            )
+            for place in recognition.candidates[:2]
+            if steps[place].number != outcome.step.number
+        )
+        if errors:
+            why = errors[0].text
+    return BannerState(
+        Severity.WARNING,
+        what,
+        " ".join(
+            part
+            for part in (
+                _sentence(why),
+                f"Nothing has been recorded under {label_of(outcome.step)}.",
+            )
+            if part
+        ),
+        "",
+        (*others, REPEAT, TAKE),
+    )
+
+
+def steps_of(
+    steps: tuple[Step, ...],
+    counts: dict[int, int],
+    wanted: int,
+    current: int | None,
+    problem: int | None,
+    means: dict[int, list[float]],
+    settings: HeadSettings,
+) -> tuple[StepState, ...]:
+    """The rows of the step list."""
+    return tuple(
+        StepState(
+            label=f"{step.number}   {angle_words(step.head_deg)}",
+            mark=_mark(step.number, counts, wanted, current, problem),
+            pose=pose_of(step, settings),
+            values=_values(means.get(step.number, [])),
+            replicates=counts.get(step.number, 0),
+            group=step.group,
+        )
+        for step in steps
+    )
+
+
+def _mark(
+    number: int, counts: dict[int, int], wanted: int, current: int | None, problem: int | None
+) -> StepMark:
+    if number == problem:
+        return StepMark.PROBLEM
+    if number == current:
+        return StepMark.NOW
+    return StepMark.DONE if counts.get(number, 0) >= wanted else StepMark.TO_COME
+
+
+def _values(means: list[float]) -> str:
+    shown = "  ".join(fixed(value, 0 if abs(value) >= 100.0 else 1) for value in means[:3])
+    return f"{shown} …" if len(means) > 3 else shown
+
+
+def _sentence(text: str) -> str:
+    text = text.strip()
+    return "" if not text else text[0].upper() + text[1:] + ("" if text[-1] in ".!?" else ".")

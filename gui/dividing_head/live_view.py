@@ -1,0 +1,98 @@
+"""The table of live means: Accelerations and Angular Rates."""
+
+from PySide6.QtCore import QEvent, QSize, Qt
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QHeaderView,
+    QSizePolicy,
+    QTableWidget,
+    QTableWidgetItem,
+    QWidget,
+)
+
+from gui.dividing_head.state import LiveRow, LiveState
+
+
+class LiveTable(QTableWidget):
+    """Mean, STD and thermometer of every sensor over the last second."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._state = LiveState()
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAsNeeded)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setShowGrid(False)
+        self.setAlternatingRowColors(True)
+        header = self.horizontalHeader()
+        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.setStretchLastSection(True)
+        header.setDefaultAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom)
+        header.setSectionsClickable(False)
+        self.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        self.verticalHeader().setDefaultSectionSize(round(1.6 * self.fontMetrics().height()))
+        self.verticalHeader().setDefaultAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Maximum)
+
+    def render(self, state: LiveState) -> None:
+        """Show a state."""
+        before, self._state = self._state, state
+        names = [row.name for row in state.rows]
+        shape = (names, state.unit, state.std_unit, state.has_rates)
+        was = ([r.name for r in before.rows], before.unit, before.std_unit, before.has_rates)
+        if shape != was or self.columnCount() == 0:
+            self._set_shape(names)
+        for place, row in enumerate(state.rows):
+            for column, text in enumerate(self._texts(row)):
+                item = self.item(place, column)
+                if item is not None and item.text() != text:
+                    item.setText(text)
+
+    def _texts(self, row: LiveRow) -> tuple[str, ...]:
+        texts = (row.acc_mean, row.acc_std, row.acc_temp)
+        return (*texts, row.rate_mean, row.rate_temp) if self._state.has_rates else texts
+
+    def _set_shape(self, names: list[str]) -> None:
+        headers = self._headers()
+        self.setRowCount(len(names))
+        self.setColumnCount(len(headers))
+        self.setHorizontalHeaderLabels(headers)
+        self.setVerticalHeaderLabels(names)
+        right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        for row in range(len(names)):
+            for column in range(len(headers)):
+                item = QTableWidgetItem("")
+                item.setTextAlignment(right)
+                self.setItem(row, column, item)
+        self.updateGeometry()
+
+    def _headers(self) -> list[str]:
+        unit = self._state.unit
+        acc = self.tr("Accelerations")
+        headers = [
+            f"{acc}\n" + self.tr("Mean ({unit})").format(unit=unit),
+            "\n" + self.tr("STD ({unit})").format(unit=self._state.std_unit),
+            "\n" + self.tr("Termo (code)"),
+        ]
+        if self._state.has_rates:
+            rates = self.tr("Angular Rates")
+            headers += [
+                f"{rates}\n" + self.tr("Mean ({unit})").format(unit=unit),
+                "\n" + self.tr("Termo (code)"),
+            ]
+        return headers
+
+    def sizeHint(self) -> QSize:
+        rows = self.rowCount() * self.verticalHeader().defaultSectionSize()
+        height = self.horizontalHeader().sizeHint().height() + rows + 2 * self.frameWidth()
+        return QSize(30 * self.fontMetrics().height(), height)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(20 * self.fontMetrics().height(), min(self.sizeHint().height(), 120))
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.LanguageChange and self.columnCount():
+            self.setHorizontalHeaderLabels(self._headers())

@@ -1,0 +1,188 @@
+"""The walk through the plan, fed with samples."""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from PySide6.QtCore import QObject, Signal
+
+from core.arrays import FloatArray
+from core.plans.orientation import tilter_rotation
+from core.plans.plan import Step
+from core.procedures.measuring import Measuring, Outcome, Phase, Status, means_of
+from core.procedures.recognise import Expectation, Nominal
+from core.records.session.events import Position
+from core.samples.block import SampleBlock
+from gui.dividing_head.device import HeadDevice
+from gui.dividing_head.settings import HeadSettings
+
+_STEP_S = 0.1
+"""The screen follows the seconds that remain in steps of this."""
+
+
+@dataclass(frozen=True, slots=True)
+class Course:
+    """What a walk is made of.
+
+    Parameters
+    ----------
+    steps : of the plan
+    device : whose accelerometers are checked
+    settings : times, g, base, tilter
+    rate : samples per second
+    nominal : what is known of the sensors from before, None if nothing is
+    """
+
+    steps: tuple[Step, ...]
+    device: HeadDevice
+    settings: HeadSettings
+    rate: float
+    nominal: Nominal | None = None
+
+    def input_of(self, step: Step) -> FloatArray:
+        """Specific force (3,) on the case axes in a step, m/s^2."""
+        force = step.specific_force(self.settings.g_mps2, self.settings.base)
+        return tilter_rotation(*self.settings.tilter.angles_deg) @ force
+
+
+class Walk(QObject):
+    """Owns the `Measuring` of one pass through the plan."""
+
+    moved = Signal()
+    """The status is another one."""
+    outcome = Signal(object)
+    """`Outcome` of a full accumulation; the receiver calls `accept` or `reject`."""
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._measuring: Measuring | None = None
+        self._seen: object = None
+
+    def begin(
+        self,
+        course: Course,
+        before: Sequence[Position],
+        done: Sequence[Position],
+        current: int | None,
+    ) -> None:
+        """Begin a pass, or go on with one.
+
+        Parameters
+        ----------
+        course : what to walk
+        before : accepted positions that only teach what the sensors give
+        done : accepted positions of this pass
+        current : number of the step to stand at; None for the first that is to be done
+        """
+        settings, checked = course.settings, course.device.checked
+        expectation = Expectation(settings.g_mps2, course.device.axes, course.nominal)
+        for position in before:
+            means = means_of(position.accumulation, checked)
+            expectation.learn(course.input_of(position.step), means)
+        measuring = Measuring(
+            course.steps,
+            course.input_of,
+            label_of,
+            expectation,
+            checked,
+            accumulation_s=settings.accumulation_s,
+            settle_s=settings.settle_s,
+            rate=course.rate,
+        )
+        for position in done:
+            measuring.restore(position.step.number, means_of(position.accumulation, checked))
+        numbers = {position.step.number for position in done}
+        to_do = [step.number for step in course.steps if step.number not in numbers]
+        if current is not None:
+            measuring.choose(current)
+        elif to_do:
+            measuring.choose(to_do[0])
+        measuring.set_hands_free(settings.hands_free)
+        self._measuring = measuring
+        self._tell()
+
+    def end(self) -> None:
+        """There is nothing to walk any more."""
+        self._measuring = None
+        self._tell()
+
+    @property
+    def status(self) -> Status | None:
+        """Where the walk stands; None without a device."""
+        return None if self._measuring is None else self._measuring.status
+
+    @property
+    def measuring(self) -> bool:
+        """Whether an accumulation runs."""
+        status = self.status
+        return status is not None and status.phase is Phase.MEASURING
+
+    def on_block(self, block: SampleBlock) -> None:
+        """Take samples of the device."""
+        if self._measuring is None:
+            return
+        outcome = self._measuring.feed(block)
+        if outcome is not None:
+            self.outcome.emit(outcome)
+        self._tell()
+
+    def start(self) -> None:
+        """Accumulate the current step now."""
+        self._order(lambda walk: walk.start())
+
+    def cancel(self) -> None:
+        """Give up the accumulation that runs."""
+        self._order(lambda walk: walk.cancel())
+
+    def interrupted(self) -> None:
+        """The link broke: what is being accumulated is given up."""
+        self._order(lambda walk: walk.interrupted())
+
+    def choose(self, number: int) -> None:
+        """Make this step the current one."""
+        self._order(lambda walk: walk.choose(number))
+
+    def accept(self, outcome: Outcome) -> None:
+        """The outcome is on the disk."""
+        self._order(lambda walk: walk.accept(outcome))
+
+    def reject(self, outcome: Outcome) -> None:
+        """The outcome was not taken."""
+        self._order(lambda walk: walk.reject(outcome))
+
+    def set_hands_free(self, on: bool) -> None:
+        """Start or stop accumulating without the operator."""
+        self._order(lambda walk: walk.set_hands_free(on))
+
+    def _order(self, order: Callable[[Measuring], None]) -> None:
+        if self._measuring is not None:
+            order(self._measuring)
+            self._tell()
+
+    def _tell(self) -> None:
+        """Say that the status moved, if the screen would show it."""
+        status = self.status
+        seen = (
+            None
+            if status is None
+            else (status.phase, status.step, round(status.remaining_s / _STEP_S), status.text)
+        )
+        if seen != self._seen:
+            self._seen = seen
+            self.moved.emit()
+
+
+def label_of(step: Step) -> str:
+    """How the operator calls a step in a sentence."""
+    return f"position {step.number} ({mount_words(step.mount)}, {angle_words(step.head_deg)})"
+
+
+def mount_words(mount: str) -> str:
+    """``X_from@90`` as the old screens say it: "X from ODH, re-indexed by 90°"."""
+    place, _, reindex = mount.partition("@")
+    words = f"{place.replace('_', ' ')} ODH"
+    return f"{words}, re-indexed by {reindex}°" if reindex else words
+
+
+def angle_words(angle_deg: float) -> str:
+    """An angle of the head."""
+    return f"{angle_deg:g}°".replace("-", "\N{MINUS SIGN}")

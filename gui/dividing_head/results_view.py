@@ -1,0 +1,183 @@
+"""The results page beside the stage: tables with their equations, residuals, doubts, export."""
+
+from PySide6.QtCore import QEvent, QRectF, Qt, Signal
+from PySide6.QtGui import QPainter, QPaintEvent
+from PySide6.QtWidgets import (
+    QComboBox,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+    QScrollArea,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from core.errors import Note
+from gui.dividing_head.results import ResultsState
+from gui.widgets.icons import paint_severity, tone_of_severity
+from gui.widgets.matrix_view import MatrixView
+from gui.widgets.residual_plot import ResidualPlot
+from gui.widgets.result_table import ResultTable
+from gui.widgets.states import MatrixState, TableState
+from gui.widgets.theme import current_theme
+
+
+class ResultsView(QWidget):
+    """Shows a `ResultsState`."""
+
+    closed = Signal()
+    export_requested = Signal(str, str)
+    """Format and file name."""
+    format_chosen = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._state: ResultsState | None = None
+        unit = self.fontMetrics().height()
+        self._title, self._source = QLabel(), QLabel()
+        font = self._title.font()
+        font.setBold(True)
+        font.setPointSizeF(font.pointSizeF() * 1.3)
+        self._title.setFont(font)
+        self._close = QToolButton()
+        self._close.setText("✕")
+        self._close.setAutoRaise(True)
+        self._close.clicked.connect(self.closed)
+        head = QHBoxLayout()
+        head.addWidget(self._title)
+        head.addSpacing(unit // 2)
+        head.addWidget(self._source, 1)
+        head.addWidget(self._close)
+        self._page = QWidget()
+        self._column = QVBoxLayout(self._page)
+        self._column.setContentsMargins(0, 0, unit // 2, unit)
+        self._column.setSpacing(unit // 2)
+        scroll = QScrollArea()
+        scroll.setWidget(self._page)
+        scroll.setWidgetResizable(True)
+        scroll.setFrameShape(QFrame.Shape.NoFrame)
+        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._formats, self._name, self._export = QComboBox(), QLineEdit(), QPushButton()
+        self._formats.activated.connect(self._on_format)
+        self._name.returnPressed.connect(self.export)
+        self._export.clicked.connect(self.export)
+        foot = QHBoxLayout()
+        foot.addWidget(self._formats)
+        foot.addWidget(self._name, 1)
+        foot.addWidget(self._export)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(unit, unit // 2, unit // 2, unit // 2)
+        column.setSpacing(unit // 2)
+        column.addLayout(head)
+        column.addWidget(scroll, 1)
+        column.addLayout(foot)
+        self._retranslate()
+
+    def render(self, state: ResultsState | None) -> None:
+        """Show a state."""
+        if state is self._state or state is None:
+            self._state = state
+            return
+        self._state = state
+        self._title.setText(state.title)
+        self._source.setText(state.source)
+        while item := self._column.takeAt(0):
+            if (old := item.widget()) is not None:
+                old.hide()
+                old.deleteLater()
+        for matrices in state.matrices:
+            self._add_matrices(matrices)
+        if not state.matrices:
+            self._add_table(state.parameters)
+        for note in state.notes:
+            self._column.addWidget(NoteLine(note))
+        self._column.addWidget(self._plot(state))
+        if state.matrices:
+            self._add_table(state.parameters)
+        for table in state.tables:
+            self._add_table(table)
+        self._column.addStretch(1)
+
+    def _add_table(self, table: TableState) -> None:
+        view = ResultTable()
+        view.render(table)
+        self._column.addWidget(view)
+
+    def _add_matrices(self, matrices: tuple[MatrixState, ...]) -> None:
+        """Matrices of one equation stand in one row."""
+        line = QWidget()
+        row = QHBoxLayout(line)
+        row.setContentsMargins(0, 0, 0, 0)
+        for matrix in matrices:
+            view = MatrixView()
+            view.render(matrix)
+            row.addWidget(view)
+        row.addStretch(1)
+        self._column.addWidget(line)
+
+    def _plot(self, state: ResultsState) -> QWidget:
+        plot = ResidualPlot()
+        plot.render(state.residuals)
+        plot.setMinimumHeight(14 * self.fontMetrics().height())
+        return plot
+
+    def set_formats(self, formats: tuple[tuple[str, str], ...]) -> None:
+        """Offer these formats: keys and titles."""
+        for key, title in formats:
+            self._formats.addItem(title, key)
+
+    def show_name(self, key: str, name: str) -> None:
+        """Propose a file name for a format."""
+        self._formats.setCurrentIndex(max(0, self._formats.findData(key)))
+        self._name.setText(name)
+        self._name.setCursorPosition(len(name))
+
+    def export(self) -> None:
+        """Write the chosen format under the name in the field."""
+        self.export_requested.emit(self._formats.currentData(), self._name.text())
+
+    def _on_format(self, index: int) -> None:
+        self.format_chosen.emit(self._formats.itemData(index))
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.LanguageChange:
+            self._retranslate()
+
+    def _retranslate(self) -> None:
+        self._close.setToolTip(self.tr("Close the results"))
+        self._close.setAccessibleName(self._close.toolTip())
+        self._formats.setAccessibleName(self.tr("Export format"))
+        self._name.setAccessibleName(self.tr("File of the export"))
+        self._export.setText(self.tr("Export"))
+
+
+class NoteLine(QWidget):
+    """A doubt with its sign."""
+
+    def __init__(self, note: Note, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._note = note
+        unit = self.fontMetrics().height()
+        text = QLabel(_sentence(note.text))
+        text.setWordWrap(True)
+        text.setTextFormat(Qt.TextFormat.PlainText)
+        text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(round(1.8 * unit), 0, 0, 0)
+        row.addWidget(text, 1)
+
+    def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002
+        unit = self.fontMetrics().height()
+        painter = QPainter(self)
+        tone = tone_of_severity(self._note.severity)
+        sign = QRectF(0.2 * unit, 0.1 * unit, 1.1 * unit, 1.1 * unit)
+        paint_severity(painter, sign, self._note.severity, current_theme().tones[tone])
+        painter.end()
+
+
+def _sentence(text: str) -> str:
+    return text if text[-1:] in ".!?" else f"{text}."

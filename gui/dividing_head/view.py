@@ -1,0 +1,232 @@
+"""The dividing-head tab: plan left, stage middle, results right, actions below."""
+
+from PySide6.QtCore import QEvent, Qt, QTimer, Signal
+from PySide6.QtGui import QKeySequence, QResizeEvent, QShortcut
+from PySide6.QtWidgets import (
+    QComboBox,
+    QFileDialog,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+    QScrollArea,
+    QSplitter,
+    QVBoxLayout,
+    QWidget,
+)
+
+from gui.dividing_head.live_view import LiveTable
+from gui.dividing_head.presenter import HeadPresenter
+from gui.dividing_head.results_view import ResultsView
+from gui.dividing_head.settings_view import SettingsView
+from gui.dividing_head.state import HeadState
+from gui.widgets.action_bar import ActionBar
+from gui.widgets.stage import Stage
+from gui.widgets.step_list import StepList
+
+_LIVE_MS = 250
+_WIDE = 85
+"""Width in line heights from which stage and results have room side by side."""
+
+
+class HeadView(QWidget):
+    """The widget of the tab.
+
+    Parameters
+    ----------
+    presenter : what clicks call, and what is rendered
+    """
+
+    file_chosen = Signal(str)
+    """Load Data: the file that the operator picked."""
+
+    def __init__(self, presenter: HeadPresenter, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._presenter = presenter
+        self.stage = Stage()
+        self.steps = StepList()
+        self.action_bar = ActionBar()
+        self.live = LiveTable()
+        self.results = ResultsView()
+        self.settings = SettingsView()
+        self._plan_label, self._plan = QLabel(), QComboBox()
+        self._session_label, self._session = QLabel(), QLineEdit()
+        self._new = QPushButton()
+        self._dialog: QFileDialog | None = None
+        self._graph_title = QLabel()
+        self.graph_place = QVBoxLayout()
+        self._build()
+        self._connect()
+        self._retranslate()
+        self._live_timer = QTimer(self)
+        self._live_timer.timeout.connect(self._on_live)
+        self._live_timer.start(_LIVE_MS)
+        presenter.changed.connect(self.render)
+        self.render(presenter.state)
+
+    def _build(self) -> None:
+        unit = self.fontMetrics().height()
+        self._left = self._build_left(unit)
+        self._lower = QWidget()
+        row = QVBoxLayout(self._lower)
+        row.setContentsMargins(unit, unit // 2, unit, 0)
+        row.setSpacing(unit // 3)
+        row.addWidget(self.live)
+        row.addWidget(self._graph_title)
+        row.addLayout(self.graph_place, 1)
+        self._middle = QSplitter(Qt.Orientation.Vertical)
+        self._middle.addWidget(self.stage)
+        self._middle.addWidget(self._lower)
+        self._middle.setStretchFactor(0, 1)
+        self._middle.setStretchFactor(1, 2)
+        self._middle.setSizes([20 * unit, 22 * unit])
+        self._middle.setChildrenCollapsible(False)
+        self._across = QSplitter(Qt.Orientation.Horizontal)
+        for part in (self._left, self._middle, self.results):
+            self._across.addWidget(part)
+        self.results.hide()
+        self._across.setChildrenCollapsible(False)
+        self._across.setStretchFactor(0, 0)
+        self._across.setStretchFactor(1, 1)
+        self._across.setStretchFactor(2, 2)
+        self._across.setSizes([21 * unit, 30 * unit, 45 * unit])
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self._across, 1)
+        column.addWidget(self.action_bar)
+
+    def _build_left(self, unit: int) -> QWidget:
+        left = QWidget()
+        plan = QHBoxLayout()
+        plan.addWidget(self._plan_label)
+        plan.addWidget(self._plan, 1)
+        session = QHBoxLayout()
+        session.addWidget(self._session_label)
+        session.addWidget(self._session, 1)
+        session.addWidget(self._new)
+        scroll = QScrollArea()
+        scroll.setWidget(self.settings)
+        scroll.setWidgetResizable(True)
+        scroll.setFrameShape(QFrame.Shape.NoFrame)
+        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        column = QVBoxLayout(left)
+        column.setContentsMargins(unit // 2, unit // 2, unit // 2, 0)
+        column.setSpacing(unit // 2)
+        column.addLayout(plan)
+        column.addWidget(self.steps, 4)
+        column.addWidget(scroll, 3)
+        column.addLayout(session)
+        left.setMinimumWidth(21 * unit)
+        return left
+
+    def _connect(self) -> None:
+        presenter = self._presenter
+        self.steps.chosen.connect(presenter.choose)
+        self.action_bar.triggered.connect(self._on_action)
+        self.action_bar.hands_free_toggled.connect(presenter.set_hands_free)
+        self.settings.edited.connect(presenter.set_settings)
+        self.settings.angle_added.connect(presenter.add_angle)
+        self._plan.activated.connect(self._on_plan)
+        self._session.editingFinished.connect(self._on_session)
+        self._new.clicked.connect(presenter.new_session)
+        undo = QShortcut(QKeySequence(QKeySequence.StandardKey.Undo), self)
+        undo.activated.connect(self._on_undo)
+
+    def render(self, state: HeadState) -> None:
+        """Show a state."""
+        self._state = state
+        self.stage.render(state.stage)
+        self.steps.render(state.steps)
+        self.action_bar.render(state.actions)
+        self.settings.render(state)
+        plans = [
+            (self._plan.itemData(i), self._plan.itemText(i)) for i in range(self._plan.count())
+        ]
+        if plans != list(state.plans):
+            self._plan.clear()
+            for plan_id, title in state.plans:
+                self._plan.addItem(title, plan_id)
+        self._plan.setCurrentIndex(self._plan.findData(state.settings.plan_id))
+        why_not = state.locked.plan or state.locked.timing
+        self._plan.setEnabled(not why_not)
+        self._plan.setToolTip(why_not)
+        if not self._session.hasFocus():
+            self._session.setText(state.session)
+            self._session.setCursorPosition(0)
+        self._session.setReadOnly(not state.session_editable)
+        self._session.setToolTip(state.folder or self.tr("Folder of the session; can be changed"))
+        self._new.setEnabled(not state.session_editable and not state.locked.timing)
+        if state.has_results != self.results.isVisibleTo(self):
+            self.results.setVisible(state.has_results)
+            self._place_results()
+
+    def _place_results(self) -> None:
+        """Results stand right of the stage; where that is too narrow, below it for the graph."""
+        shown = self.results.isVisibleTo(self)
+        wide = self.width() >= _WIDE * self.fontMetrics().height()
+        wanted = self._across if wide else self._middle
+        if self.results.parentWidget() is not wanted:
+            wanted.addWidget(self.results)
+            self.results.setVisible(shown)
+            wanted.setStretchFactor(2, 2)
+            unit = self.fontMetrics().height()
+            self._middle.setSizes([12 * unit, 22 * unit, 30 * unit])
+        self._lower.setVisible(wide or not shown)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._place_results()
+
+    def _on_live(self) -> None:
+        if self.isVisible():
+            self.live.render(self._presenter.live())
+
+    def _on_action(self, key: str) -> None:
+        if key == "load":
+            self._open_dialog()
+        elif key == "export":
+            self.results.export()
+        else:
+            self._presenter.act(key)
+
+    def _open_dialog(self) -> None:
+        """Choose a file, in a window that does not block the others."""
+        if self._dialog is None:
+            dialog = QFileDialog(self, self.tr("Load Data"), self._presenter.folder)
+            dialog.setModal(False)
+            dialog.setNameFilters(
+                [
+                    self.tr("Measurements (*.txt *.run.csv session.json)"),
+                    self.tr("All files (*)"),
+                ]
+            )
+            dialog.fileSelected.connect(self.file_chosen)
+            self._dialog = dialog
+        self._dialog.show()
+
+    def _on_undo(self) -> None:
+        self._presenter.act("undo")
+
+    def _on_plan(self, index: int) -> None:
+        self._presenter.set_plan(self._plan.itemData(index))
+
+    def _on_session(self) -> None:
+        if self._session.isModified():
+            self._session.setModified(False)
+            self._presenter.set_session_name(self._session.text())
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.LanguageChange:
+            self._retranslate()
+
+    def _retranslate(self) -> None:
+        self._plan_label.setText(self.tr("Plan"))
+        self._plan.setAccessibleName(self.tr("Plan"))
+        self._session_label.setText(self.tr("Session"))
+        self._session.setAccessibleName(self.tr("Name of the session's folder"))
+        self._new.setText(self.tr("New session"))
+        self._graph_title.setText(self.tr("Main Graph"))
+        self.steps.setAccessibleName(self.tr("Positions"))

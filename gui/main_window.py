@@ -1,0 +1,212 @@
+"""The window: device strip, tabs, banner, log; the rig's dock at the right."""
+
+from typing import Protocol
+
+from PySide6.QtCore import QEvent, QSize, Qt, Signal
+from PySide6.QtGui import QAction, QActionGroup, QCloseEvent, QKeySequence, QShortcut
+from PySide6.QtWidgets import (
+    QDockWidget,
+    QMainWindow,
+    QMenu,
+    QTabWidget,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from core.errors import Severity
+from core.plans.plan import Plan, Step
+from gui.devices.view import DevicesView
+from gui.messages import Messages
+from gui.services import Services
+from gui.widgets.banner import Banner
+from gui.widgets.device_strip import DeviceStrip
+from gui.widgets.log_drawer import LogDrawer
+from gui.widgets.states import BannerState
+
+
+class Tab(Protocol):
+    """One tab of the window."""
+
+    @property
+    def widget(self) -> QWidget:
+        """What is shown."""
+        ...
+
+    def after_paint(self) -> None:
+        """The window is on the screen: what is slow to import may come now."""
+        ...
+
+    def why_busy(self) -> str:
+        """Why the ports cannot be let go of now; empty if they can."""
+        ...
+
+    def wanted(self) -> tuple[Plan, Step] | None:
+        """What the operator of the rig has to set now; None for nothing."""
+        ...
+
+    def close(self) -> None:
+        """The window closes: end what runs, keep what was measured."""
+        ...
+
+
+class TabModule(Protocol):
+    """The module of a tab, named in the table of tabs."""
+
+    def make_tab(self, services: Services) -> Tab:
+        """Build the tab."""
+        ...
+
+
+LOOKS = ("light", "dark", "system")
+
+
+class MainWindow(QMainWindow):
+    """Parts in their places; what they show comes from the application.
+
+    Parameters
+    ----------
+    messages : what banner and log show
+    """
+
+    look_chosen = Signal(str)
+    sound_switched = Signal(bool)
+    closing = Signal()
+
+    def __init__(self, messages: Messages, devices: DevicesView) -> None:
+        super().__init__()
+        self._messages = messages
+        self.strip = DeviceStrip()
+        self.devices = devices
+        self.tabs = QTabWidget()
+        self.tabs.setDocumentMode(True)
+        self.banner = Banner()
+        self.log = LogDrawer()
+        self._menu_button = QToolButton()
+        self._menu_button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self._menu = QMenu(self)
+        self._menu_button.setMenu(self._menu)
+        self.tabs.setCornerWidget(self._menu_button, Qt.Corner.TopRightCorner)
+        self._looks = QActionGroup(self)
+        self._look_actions: dict[str, QAction] = {}
+        self._sound = QAction(self)
+        self._keys = QAction(self)
+        self._dock = QDockWidget(self)
+        self._dock.setObjectName("rig")
+        self._dock.setFeatures(
+            QDockWidget.DockWidgetFeature.DockWidgetClosable
+            | QDockWidget.DockWidgetFeature.DockWidgetMovable
+        )
+        self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self._dock)
+        self._dock.hide()
+        self._build()
+        self._build_menu()
+        self._connect()
+        self._retranslate()
+
+    def _build(self) -> None:
+        centre = QWidget()
+        column = QVBoxLayout(centre)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self.strip)
+        column.addWidget(self.devices)
+        column.addWidget(self.tabs, 1)
+        column.addWidget(self.banner)
+        column.addWidget(self.log)
+        self.devices.hide()
+        self.setCentralWidget(centre)
+        self.setMinimumSize(QSize(1000, 640))
+
+    def _build_menu(self) -> None:
+        for look in LOOKS:
+            action = QAction(self)
+            action.setCheckable(True)
+            action.setData(look)
+            self._looks.addAction(action)
+            self._menu.addAction(action)
+            self._look_actions[look] = action
+        self._looks.triggered.connect(self._on_look)
+        self._menu.addSeparator()
+        self._sound.setCheckable(True)
+        self._sound.toggled.connect(self.sound_switched)
+        self._menu.addAction(self._sound)
+        self._menu.addAction(self._dock.toggleViewAction())
+        self._dock.toggleViewAction().setVisible(False)
+        self._menu.addSeparator()
+        self._keys.setShortcut(QKeySequence("F1"))
+        self._keys.triggered.connect(self._on_keys)
+        self._menu.addAction(self._keys)
+        self.addAction(self._keys)
+
+    def _connect(self) -> None:
+        self._messages.shown.connect(self.banner.render)
+        self._messages.logged.connect(self.log.append)
+        self.banner.action.connect(self._messages.press)
+        self.banner.closed.connect(self._messages.dismiss)
+        self.strip.properties_requested.connect(self.toggle_devices)
+        escape = QShortcut(QKeySequence("Esc"), self.devices)
+        escape.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
+        escape.activated.connect(self.devices.hide)
+
+    def toggle_devices(self) -> None:
+        """Open or close Device Properties."""
+        if self.devices.isVisible():
+            self.devices.hide()
+        else:
+            self.devices.open()
+
+    def show_rig(self, panel: QWidget | None) -> None:
+        """Dock the rig, or take it away."""
+        if panel is not None and self._dock.widget() is not panel:
+            self._dock.setWidget(panel)
+        self._dock.setVisible(panel is not None)
+        self._dock.toggleViewAction().setVisible(panel is not None)
+
+    def show_look(self, look: str) -> None:
+        """Mark the look that is worn."""
+        self._look_actions[look].setChecked(True)
+
+    def show_sound(self, on: bool) -> None:
+        """Mark whether sounds are played."""
+        self._sound.setChecked(on)
+
+    def _on_look(self, action: QAction) -> None:
+        self.look_chosen.emit(action.data())
+
+    def _on_keys(self) -> None:
+        self._messages.show(
+            "keys",
+            BannerState(
+                Severity.INFO,
+                self.tr("Keys"),
+                self.tr(
+                    "Space accumulates. Backspace repeats the last position. Delete discards."
+                    " Ctrl+Z takes back. Esc stops. Arrows and Enter, or 1 to 9, pick a position."
+                    " Ctrl+H hands-free. Ctrl+O loads, F5 processes, Ctrl+E exports. Ctrl+L log."
+                ),
+            ),
+        )
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        self.closing.emit()
+        super().closeEvent(event)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.LanguageChange:
+            self._retranslate()
+
+    def _retranslate(self) -> None:
+        self.setWindowTitle("CalRig")
+        self._menu_button.setText(self.tr("View"))
+        names = {
+            "light": self.tr("Light"),
+            "dark": self.tr("Dark"),
+            "system": self.tr("As the system"),
+        }
+        for look, action in self._look_actions.items():
+            action.setText(names[look])
+        self._sound.setText(self.tr("Sounds"))
+        self._keys.setText(self.tr("Keys"))
+        self._dock.setWindowTitle(self.tr("Simulated rig"))
