@@ -49,6 +49,7 @@ class Status:
     progress : share of the settling or accumulation time that has passed, 0 to 1
     remaining_s : seconds that it still takes
     text : the sentence of the last doubt, empty if there is none
+    candidates : numbers of the steps that the unit seems to stand in, while it stands wrong
     """
 
     phase: Phase
@@ -56,6 +57,7 @@ class Status:
     progress: float
     remaining_s: float
     text: str
+    candidates: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -120,6 +122,7 @@ class Measuring:
         self._phase = Phase.READY
         self._settled = 0
         self._text = ""
+        self._candidates: tuple[int, ...] = ()
         self._still = StillnessDetector(rate, checked)
         self._accumulator: Accumulator | None = None
         self._at_step: int | None = None
@@ -135,7 +138,8 @@ class Measuring:
         elif self._phase is Phase.SETTLING:
             progress = min(self._settled / self._settle_samples, 1.0)
             remaining = (1.0 - progress) * self._settle_samples / self._rate
-        return Status(self._phase, step, progress, remaining, self._text)
+        standing = self._candidates if self._phase is Phase.WRONG else ()
+        return Status(self._phase, step, progress, remaining, self._text, standing)
 
     @property
     def done(self) -> frozenset[int]:
@@ -204,6 +208,7 @@ class Measuring:
             (note.text for note in outcome.accumulation.notes if note.severity is Severity.ERROR),
             "",
         )
+        self._candidates = ()
         self._at_step = None
         self._phase = Phase.WRONG
 
@@ -253,6 +258,7 @@ class Measuring:
         elif self._at_step is None:  # else still where the last step was measured
             recognition = self._recognise(self._still.mean())
             self._text = recognition.text
+            self._candidates = tuple(self._steps[i].number for i in recognition.candidates)
             self._phase = Phase.SETTLING if recognition.acceptable else Phase.WRONG
             self._settled = 0
 
