@@ -56,10 +56,10 @@ def examine(
     if len(np.unique(x)) < _FEWEST:
         return Examined(clipped, ())
     notes = list(_unsteady(x, se, rows))
+    for channel in range(c):
+        clipped[:, channel] = _clipped(x, y[:, channel], se[:, channel])
     k = _median_slopes(x, y)
-    turning = np.flatnonzero(np.isfinite(k) & (k != 0))
-    for channel in turning:
-        clipped[:, channel] = _clipped(x, y[:, channel], se[:, channel], float(k[channel]))
+    turning = np.flatnonzero(k != 0)
     notes.extend(_clipped_notes(x, y, clipped, channels))
     stands_for = _stands_for(x, y[:, turning], k[turning], clipped[:, turning])
     notes.extend(_row_notes(x, stands_for, [channels[i] for i in turning.tolist()], rows))
@@ -74,19 +74,21 @@ def _median_slopes(x: FloatArray, y: FloatArray) -> FloatArray:
     return np.median((y[second[apart]] - y[first[apart]]) / run[apart, None], axis=0)
 
 
-def _clipped(x: FloatArray, y: FloatArray, se: FloatArray, k: float) -> NDArray[np.bool_]:
-    """Rows (n,) at the ends whose output grows less than the rest, or no more."""
+def _clipped(x: FloatArray, y: FloatArray, se: FloatArray) -> NDArray[np.bool_]:
+    """Rows (n,) at the ends whose output grows less than in the middle, or no more."""
     rates, group = np.unique(x, return_inverse=True)
     means = np.bincount(group, weights=y) / np.bincount(group)
-    grown = np.diff(means) / np.diff(rates) / k
+    trim = len(rates) // 3
+    middle = slice(trim, len(rates) - trim)
+    k = float(_median_slopes(rates[middle], means[middle][:, None])[0])
+    grown = np.diff(means) / np.diff(rates) / k if k else np.ones(len(rates) - 1)
     if grown[0] >= _FLATTER and grown[-1] >= _FLATTER:
         return np.zeros(len(x), dtype=np.bool_)
     deviation = means / k - rates
-    middle = float(np.median(deviation))
-    noise = _TO_SIGMA * float(np.median(np.abs(deviation - middle)))
-    limit = max(_ROBUST_SIGMAS * noise, 1e-9 * float(np.ptp(rates)))
+    deviation = np.abs(deviation - np.median(deviation[middle]))
+    noise = _TO_SIGMA * float(np.median(deviation[middle]))
     flat = (grown > -_ALIKE) & (grown < _FLATTER)
-    missing = np.abs(deviation - middle) > limit
+    missing = deviation > max(_ROBUST_SIGMAS * noise, _SHARE_OF_RANGE * float(np.abs(rates).max()))
     if np.all(np.isfinite(se)):
         missing[group[se > _UNSTEADY * np.median(se)]] = False
     out = np.zeros(len(rates), dtype=np.bool_)

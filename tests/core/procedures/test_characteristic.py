@@ -54,7 +54,8 @@ def noise(n: int, sigma: float, seed: int = 1) -> np.ndarray:
 
 @pytest.fixture
 def table_3_2() -> Points:
-    return points(*(np.array(TABLE_3_2["input"][key]) for key in ("omega_dps", "U")))
+    given = TABLE_3_2["input"]
+    return points(np.array(given["omega_dps"]), np.array(given["U"]))
 
 
 def test_nonlinearity_of_table_3_2(table_3_2: Points):
