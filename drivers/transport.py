@@ -7,7 +7,6 @@ Every port is opened by URL text, so ``COM4``, ``/dev/ttyUSB0``, ``/dev/pts/3``,
 import errno
 import os
 import sys
-import time
 from collections.abc import Callable
 from typing import Protocol
 
@@ -19,9 +18,7 @@ from drivers.profile_types import PortSettings
 LIMIT = 65536
 """Most bytes of one read."""
 
-_WAIT_S = 0.05
 _GATHER_S = 0.02
-_ENOUGH = 4096
 _WINDOWS_BUFFER = 1 << 20
 _WRITE_TIMEOUT_S = 2.0
 _HANDLERS = "drivers.virtual"
@@ -98,23 +95,15 @@ class SerialTransport:
         self.port = port
         self.patient = bool(getattr(device, "patient", False))
         self._device = device
-        # A socket:// port tells of one waiting byte at most and cannot be cancelled.
-        self._counts = hasattr(device, "cancel_read")
 
     def read(self) -> bytes:
-        """Return what has come in, gathered over some 20 ms so that blocks are worth decoding."""
-        device = self._device
+        """Return what came in some 20 ms, so that blocks are worth decoding.
+
+        One call of pyserial each time: every further one, such as `in_waiting`, has to wait for
+        the interpreter once more while the window computes, and the kernel gives 4 kB at a time.
+        """
         try:
-            if not self._counts:
-                return device.read(LIMIT)
-            first = device.read(1)
-            if not first:
-                return b""
-            waiting = device.in_waiting
-            if waiting < _ENOUGH and not self.patient:
-                time.sleep(_GATHER_S)
-                waiting = device.in_waiting
-            return first + device.read(min(waiting, LIMIT)) if waiting else first
+            return self._device.read(LIMIT)
         except _PORT_ERRORS as error:
             raise self._lost(error) from error
 
@@ -179,7 +168,7 @@ def open_port(url: str, settings: PortSettings = PLAIN, baud: int = 0) -> Serial
             bytesize=settings.data_bits,
             parity=settings.parity,
             stopbits=settings.stop_bits,
-            timeout=_WAIT_S,
+            timeout=_GATHER_S,
             write_timeout=_WRITE_TIMEOUT_S,
             exclusive=True,
         )

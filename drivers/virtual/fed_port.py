@@ -66,7 +66,7 @@ class FedPort(serial.SerialBase):
         timeout = self.timeout
         until = time.monotonic() + (_LONGEST_WAIT_S if timeout is None else timeout)
         self._fill()
-        while len(self._pending) < size:
+        while len(self._pending) < size and not (self.patient and self._pending):
             left = until - time.monotonic()
             if left <= 0 or self._cancelled.wait(min(left, _STEP_S)):
                 break

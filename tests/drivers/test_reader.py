@@ -222,7 +222,7 @@ def test_silence_is_no_data_and_not_the_end():
 def test_a_patient_source_waits_for_its_listener():
     reader = sim_reader("name=patient&speed=max")
     reader.start()
-    wait_for(lambda: reader.counters.frames > 1000)
+    wait_for(lambda: reader.counters.frames > 300)
     time.sleep(0.3)
     stalled = reader.counters.frames
     time.sleep(0.2)

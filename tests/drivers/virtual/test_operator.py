@@ -43,13 +43,13 @@ def test_setting_errors_have_their_deviation_and_the_seed_decides():
         rig = Rig(RigOptions(rate_hz=20.0))
         operator = Operator(rig, PLANS["accelerometer_4"], seed=seed, setting_arcsec=30.0)
         found = []
-        for _ in range(40):
+        for _ in range(20):
             for step in PLANS["accelerometer_4"].steps:
                 let_go_on(rig, operator.goto(step) + 0.2)
                 found.append(rig.state.head_deg - step.head_deg)
         return found
 
     errors = np.array(angles(1)) * 3600.0
-    assert errors.std() == pytest.approx(30.0, rel=0.2)
-    assert abs(errors.mean()) < 8.0
+    assert errors.std() == pytest.approx(30.0, rel=0.25)
+    assert abs(errors.mean()) < 10.0
     assert angles(1) == angles(1) != angles(2)
