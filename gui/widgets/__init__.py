@@ -21,6 +21,7 @@ position_picture  how the unit stands on the dividing head
 step_list         the steps of a plan
 action_bar        the row of actions and its keys
 toggle            a switch
+fields            numbers and choices that no wheel changes by accident
 banner            inline message: what happened, what it means, what to do
 device_strip      device, port, link, counters
 ================  ==================================================================
