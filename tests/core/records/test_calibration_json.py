@@ -64,7 +64,16 @@ def test_what_other_fits_hold_comes_back_as_well(single):
 def test_the_triad_stands_in_the_document(triad):
     document = json.loads(calibration_text(triad))
     block = document["triad"]
-    np.testing.assert_array_equal(block["K"], triad.triad().k)
+    wanted = triad.triad()
+    for key, values in {
+        "K": wanted.k,
+        "U0": wanted.bias,
+        "u_K": wanted.u_k(),
+        "u_U0": wanted.u_bias(),
+        "u_Q": wanted.u_q(),
+        "covariance": wanted.covariance,
+    }.items():
+        np.testing.assert_array_equal(block[key], values)
     np.testing.assert_allclose(np.array(block["Q"]) @ block["K"], np.eye(3), atol=1e-12)
     assert block["channels"] == ["acc_x", "acc_y", "acc_z"]
     assert block["covariance_of"][:5] == ["U0_x", "K_xx", "K_xy", "K_xz", "U0_y"]
