@@ -1,6 +1,7 @@
 """Tables of fields: matrices of frame bytes to matrices of numbers, and back."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -28,14 +29,18 @@ def _read24(raw: ByteArray, spec: FieldSpec) -> NDArray[np.int32]:
     return whole >> 8 if spec.type[0] == "i" else (whole >> 8) & 0xFFFFFF
 
 
-def read_raw(rows: ByteArray, spec: FieldSpec) -> NDArray[Any]:
-    """Return the unscaled numbers of a field; (n, length) uint8 -> (n, k)."""
-    raw = rows[:, spec.at : spec.end]
+def _numbers(raw: ByteArray, spec: FieldSpec) -> NDArray[Any]:
+    """Return the unscaled numbers in some bytes; (n, m) uint8 -> (n, k)."""
     numbers = _read24(raw, spec) if TYPES[spec.type] == 3 else raw.view(_dtype(spec))
     if spec.bits is not None:
         low, high = spec.bits
         return (numbers >> low) & ((1 << (high - low + 1)) - 1)
     return numbers
+
+
+def read_raw(rows: ByteArray, spec: FieldSpec) -> NDArray[Any]:
+    """Return the unscaled numbers of a field; (n, length) uint8 -> (n, k)."""
+    return _numbers(rows[:, spec.at : spec.end], spec)
 
 
 def write_raw(rows: ByteArray, spec: FieldSpec, numbers: NDArray[Any]) -> None:
@@ -55,6 +60,44 @@ def write_raw(rows: ByteArray, spec: FieldSpec, numbers: NDArray[Any]) -> None:
     rows[:, spec.at : spec.end] = data.view(np.uint8).reshape(len(rows), -1)
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class _Group:
+    """Fields of one type, wherever they stand: read at once and put into their columns."""
+
+    spec: FieldSpec
+    taken: slice | IntArray
+    columns: slice | IntArray
+
+    def numbers(self, rows: ByteArray) -> NDArray[Any]:
+        if isinstance(self.taken, slice):
+            return _numbers(rows[:, self.taken], self.spec)
+        return _numbers(rows.take(self.taken, axis=1), self.spec)
+
+
+def _groups(fields: Sequence[FieldSpec]) -> list[_Group]:
+    found: dict[object, list[tuple[FieldSpec, int]]] = {}
+    column = 0
+    for spec in fields:
+        key = (spec.type, spec.endian, spec.bits, spec.bits and spec.at)
+        found.setdefault(key, []).append((spec, column))
+        column += len(spec.channels)
+    return [
+        _Group(
+            members[0][0],
+            _compact([place for spec, _ in members for place in range(spec.at, spec.end)]),
+            _compact([at + n for spec, at in members for n in range(len(spec.channels))]),
+        )
+        for members in found.values()
+    ]
+
+
+def _compact(places: list[int]) -> slice | IntArray:
+    """Return neighbouring places as a slice, which costs no copy."""
+    if places == list(range(places[0], places[0] + len(places))):
+        return slice(places[0], places[0] + len(places))
+    return np.array(places, dtype=np.int64)
+
+
 class FieldTable:
     """The fields of one kind of frame.
 
@@ -66,6 +109,11 @@ class FieldTable:
     def __init__(self, fields: Sequence[FieldSpec]) -> None:
         self._fields = tuple(fields)
         self._shown = tuple(spec for spec in fields if not spec.hide)
+        self._groups = _groups(self._shown)
+        self._scales = np.array([spec.scale for spec in self._shown for _ in spec.channels])
+        self._offsets = np.array([spec.offset for spec in self._shown for _ in spec.channels])
+        self._scaled = bool((self._scales != 1.0).any())
+        self._shifted = bool(self._offsets.any())
         self.channels: tuple[Channel, ...] = tuple(
             channel for spec in self._shown for channel in spec.channels
         )
@@ -73,17 +121,13 @@ class FieldTable:
     def values(self, rows: ByteArray) -> FloatArray:
         """Return the scaled values; (n, length) uint8 -> (n, c) float64."""
         data = np.empty((len(rows), len(self.channels)))
-        column = 0
         with np.errstate(invalid="ignore"):  # a signalling NaN in a damaged or unset float
-            for spec in self._shown:
-                end = column + len(spec.channels)
-                part = data[:, column:end]
-                part[...] = read_raw(rows, spec)
-                if spec.scale != 1.0:
-                    part *= spec.scale
-                if spec.offset != 0.0:
-                    part += spec.offset
-                column = end
+            for group in self._groups:
+                data[:, group.columns] = group.numbers(rows)
+            if self._scaled:
+                data *= self._scales
+            if self._shifted:
+                data += self._offsets
         return data
 
     def counts(self, rows: ByteArray, name: str) -> IntArray:

@@ -33,6 +33,19 @@ class _Found:
     garbage: int = 0
     sample: bytes = b""
     bad: int = 0
+    checked: tuple[int, int, BoolArray] | None = None
+    """Place of the first row, distance and outcome of the rows that were checked last."""
+
+    def known(self, cursor: int, pitch: int) -> BoolArray | None:
+        """Return the outcome for rows from `cursor` on if they were among those checked last.
+
+        Damage within a frame leaves the frames behind it at their distance, and they need not be
+        checked again.
+        """
+        if self.checked is None or self.checked[1] != pitch:
+            return None
+        row, off = divmod(cursor - self.checked[0], pitch)
+        return self.checked[2][row:] if off == 0 and 0 <= row < len(self.checked[2]) else None
 
     def waste(self, buffer: ByteArray, at: int, count: int) -> None:
         if count and not self.garbage:
@@ -92,7 +105,8 @@ class FrameFinder:
         """Whether the last tail did come."""
         self._last = self._fixed
         self._rows = _FEWEST_ROWS
-        self._smallest_window = 4 * (shape.longest + shape.follow)
+        # A damaged frame, and the next one behind it.
+        self._smallest_window = 2 * (shape.longest + shape.follow + len(shape.tail)) + 16
         self._window = self._smallest_window
 
     @property
@@ -181,12 +195,16 @@ class FrameFinder:
             count = min(most, self._rows)
             if count <= 0 or (self._tail_due and cursor < len(buffer)):
                 return cursor
-            rows = np.ndarray((count, width), np.uint8, buffer, cursor, (pitch, 1))
-            good = self._genuine(rows, length)
-            if pitch > length and count > 1:
-                shape_of_tails = (count - 1, pitch - length)
-                tails = np.ndarray(shape_of_tails, np.uint8, buffer, cursor + length, (pitch, 1))
-                good[1:] &= (tails == self._tail).all(axis=1)
+            good = found.known(cursor, pitch)
+            if good is None:
+                rows = np.ndarray((count, width), np.uint8, buffer, cursor, (pitch, 1))
+                good = self._genuine(rows, length)
+                if pitch > length and count > 1:
+                    size = (count - 1, pitch - length)
+                    tails = np.ndarray(size, np.uint8, buffer, cursor + length, (pitch, 1))
+                    good[1:] &= (tails == self._tail).all(axis=1)
+                found.checked = (cursor, pitch, good)
+            count = len(good)
             taken = count if good.all() else int(good.argmin())
             if taken:
                 starts = cursor + pitch * np.arange(taken)
@@ -258,7 +276,7 @@ class FrameFinder:
         places, lengths, cut = self._candidates(window)
         whole = places + lengths + self._shape.follow <= len(window)
         good = np.zeros(len(places), dtype=np.bool_)
-        for length in np.unique(lengths[whole]).tolist():
+        for length in sorted(set(lengths[whole].tolist())):
             chosen = np.flatnonzero(whole & (lengths == length))
             rows = gather(window, places[chosen], length + self._shape.follow)
             good[chosen] = self._shape.intact(rows)

@@ -109,10 +109,6 @@ class StreamDecoder(ABC):
         """Return which samples are possible; None for all."""
         del data
 
-    def fill(self, data: FloatArray) -> None:
-        """Replace what samples do not hold, in place; nothing unless a protocol asks for it."""
-        del data
-
     def _convert(self, batch: Batch, events: list[Event]) -> None:
         if batch.garbage:
             events.append(Garbage(batch.garbage, batch.sample))
@@ -188,7 +184,6 @@ class StreamDecoder(ABC):
             if len(holds) < len(groups):
                 frames = np.sort(np.concatenate([where for _, where in holds]))
             data, counts = self._values(batch, frames, holds)
-            self.fill(data)
             index, counted = self._counter.number(counts, self._losses(batch, frames))
             said.extend((int(frames[row]), event) for row, event in counted)
             block = self._possible(data, index, events)

@@ -3,8 +3,8 @@
 ``AA | b1 | b2 | float | float | CRC-8``: b1 holds the numbers of controller (high half) and gyro
 (low half), b2 says which parameters the two numbers are, second in the high half. The first is the
 gyro's output in every packet, the second walks through the slow parameters; between its turns a
-slow parameter keeps its last value. Little-endian; the layout is that of CVGCom's published
-sources, not yet confirmed with bytes of a real unit.
+slow parameter keeps its last value, and one that never came is not a number. Little-endian. The
+layout is that of CVGCom's published sources, not yet confirmed with bytes of a real unit.
 """
 
 import numpy as np
@@ -27,19 +27,9 @@ _PARAMETERS = (
     Channel("AntinodePeriod", "us"), Channel("ExcitationAmpl", "V"), Channel("QuadratureAmpl", "V"),
     Channel("QuadratureError", "V"), Channel("CoriolisError", "V"), Channel("XAmplitude", "V"),
     Channel("YAmplitude", "V"), Channel("XMean", "V"), Channel("YMean", "V"),
-    Channel("GyroOut_RAW", "V"), Channel("N_Excitation", "code"), *(
-        Channel(f"Parameter{number}", "code") for number in (13, 14, 15)
-    ),
+    Channel("GyroOut_RAW", "V"), Channel("N_Excitation", "code"),
 )  # fmt: skip
-
-
-def _both(rows: ByteArray) -> FloatArray:
-    with np.errstate(invalid="ignore"):  # a signalling NaN
-        return rows[:, 3:11].view("<f4").astype(np.float64)
-
-
-def _first(rows: ByteArray) -> FloatArray:
-    return _both(rows)[:, :1]
+"""By their numbers on the wire."""
 
 
 def _foreign(frame: bytes) -> Message:
@@ -47,40 +37,41 @@ def _foreign(frame: bytes) -> Message:
 
 
 class Cvg12Decoder(StreamDecoder):
-    """Packets of one gyro to events; those of other gyros on the switch become messages.
+    """Packets of one gyro to events; those of other gyros become messages.
 
     Parameters
     ----------
-    profile : its option ``gyro`` is the number of the gyro
+    profile : its options ``controller`` and ``gyro`` are the numbers of the gyro
     """
 
     def __init__(self, profile: Profile) -> None:
-        self._gyro = profile.option("gyro")
-        self._layouts: dict[bytes, Layout] = {}
-        self._held: dict[str, float] = {}
+        self._sender = profile.option("controller") << 4 | profile.option("gyro")
+        self._layouts: dict[int, Layout] = {}
+        self._held = np.full(len(_PARAMETERS), np.nan)
         shape = Shape(((0xAA,),), LENGTH, LENGTH, LENGTH, Checksum(CHECKSUM).intact)
-        super().__init__(shape, SampleCounter(), profile.nominal_hz, _PARAMETERS[:1])
+        super().__init__(shape, SampleCounter(), profile.nominal_hz, _PARAMETERS)
 
     def layout(self, frame: bytes) -> Layout:
-        """Return the layout by gyro and parameters."""
-        key = frame[1:3]
-        if key not in self._layouts:
-            same = (np.array([1, 2]), np.frombuffer(key, dtype=np.uint8))
-            first, second = _PARAMETERS[key[1] & 15], _PARAMETERS[key[1] >> 4]
-            if key[0] & 15 != self._gyro:
-                self._layouts[key] = Layout((), _both, None, same, _foreign)
-            elif first == second:
-                self._layouts[key] = Layout((first,), _first, None, same)
-            else:
-                self._layouts[key] = Layout((first, second), _both, None, same)
-        return self._layouts[key]
+        """Return the layout by the number of the gyro."""
+        sender = frame[1]
+        if sender not in self._layouts:
+            same = (np.array([1]), np.array([sender], dtype=np.uint8))
+            channels, message = (_PARAMETERS, None) if sender == self._sender else ((), _foreign)
+            self._layouts[sender] = Layout(channels, self._parameters, None, same, message)
+        return self._layouts[sender]
 
-    def fill(self, data: FloatArray) -> None:
-        """Let each parameter keep its last value until it comes again."""
-        for column, channel in enumerate(self.channels):
-            values = data[:, column]
-            known = np.isfinite(values)
-            last = np.maximum.accumulate(np.where(known, np.arange(len(values)), -1))
-            held = self._held.get(channel.name, np.nan)
-            values[:] = np.where(last >= 0, values[last], held)
-            self._held[channel.name] = float(values[-1])
+    def _parameters(self, rows: ByteArray) -> FloatArray:
+        """Return a column a parameter, each with its last value until it comes again."""
+        with np.errstate(invalid="ignore"):  # a signalling NaN
+            numbers = rows[:, 3:11].view("<f4").astype(np.float64)
+        first, second = rows[:, 2] & 15, rows[:, 2] >> 4
+        data = np.empty((len(rows), len(_PARAMETERS)))
+        for parameter in range(len(_PARAMETERS)):
+            came = np.flatnonzero((first == parameter) | (second == parameter))
+            steps = np.empty(len(came) + 1)
+            steps[0] = self._held[parameter]
+            steps[1:] = np.where(first[came] == parameter, numbers[came, 0], numbers[came, 1])
+            edges = np.concatenate(([0], came, [len(rows)]))
+            data[:, parameter] = steps.repeat(edges[1:] - edges[:-1])
+        self._held = data[-1].copy()
+        return data

@@ -27,7 +27,7 @@ PROTOCOL_OPTIONS: Mapping[str, Mapping[str, Option]] = {
     "vectornav_ascii": {},
     "vectornav_binary": {},
     "stim300": {"datagram": Option(_DATAGRAMS), "acc_range_g": Option((10, 5, 30, 80))},
-    "cvgx12": {"gyro": Option(tuple(range(16)))},
+    "cvgx12": {"controller": Option(tuple(range(16))), "gyro": Option(tuple(range(16)))},
 }
 
 PROTOCOL_PARAMS: Mapping[str, tuple[str, ...]] = {"inertial_labs": ("KG", "KA")}
