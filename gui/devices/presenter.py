@@ -2,50 +2,25 @@
 
 import threading
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from PySide6.QtCore import QObject, Signal
 
 from core.errors import LabError, Severity
 from core.records.names import NO_NAME
-from drivers.ports import PortInfo, list_ports
+from drivers.ports import list_ports
 from drivers.profile import Profile
 from drivers.scan import Found, ScanReport, ScanStep, scan
 from gui.devices.connection import Connection
 from gui.devices.scan_words import asked_banner, heard_words, question_words
-from gui.devices.setup import BAUD, DeviceSetup
+from gui.devices.setup import DeviceSetup
+from gui.devices.state import PropertiesState, found_at, why_not_ok
 from gui.jobs import Jobs
 from gui.messages import Messages
 
 MOST = 16
 _SOURCE = "devices"
 _LISTEN_S = 1.0
-
-
-@dataclass(frozen=True, slots=True)
-class PropertiesState:
-    """What the panel shows.
-
-    Parameters
-    ----------
-    rows : one a device
-    ports : what can be chosen, likeliest first
-    profiles : identifiers and names of the device files
-    busy : what the worker does, empty while nothing
-    progress : 0 to 1 while it can be told
-    question : what the operator has to decide before anything is sent, empty for nothing
-    report : what the last scan brought
-    why_not_ok : reason why OK cannot be pressed, empty if it can
-    """
-
-    rows: tuple[DeviceSetup, ...] = (DeviceSetup(),)
-    ports: tuple[PortInfo, ...] = ()
-    profiles: tuple[tuple[str, str], ...] = ()
-    busy: str = ""
-    progress: float = 0.0
-    question: str = ""
-    report: str = ""
-    why_not_ok: str = ""
 
 
 class DevicesPresenter(QObject):
@@ -204,7 +179,7 @@ class DevicesPresenter(QObject):
         first: dict[str, Found] = {}
         for found in result.found:
             first.setdefault(found.url, found)
-        rows = tuple(_found_at(row, first.get(row.url)) for row in self.state.rows)
+        rows = tuple(found_at(row, first.get(row.url)) for row in self.state.rows)
         question = "" if self._active else question_words(result)
         self._set(rows=rows, busy="", question=question, report=heard_words(result))
         if self._open_after:
@@ -233,27 +208,5 @@ class DevicesPresenter(QObject):
 
     def _set(self, **values: object) -> None:
         state = replace(self.state, **values)  # pyright: ignore[reportArgumentType]
-        self.state = replace(state, why_not_ok=_why_not_ok(state))
+        self.state = replace(state, why_not_ok=why_not_ok(state))
         self.changed.emit(self.state)
-
-
-def _found_at(row: DeviceSetup, found: Found | None) -> DeviceSetup:
-    if found is None:
-        return replace(row, name=NO_NAME)
-    return replace(row, baud=found.baud, profile_id=found.profile.id, name=found.name)
-
-
-def _why_not_ok(state: PropertiesState) -> str:
-    urls = [row.url for row in state.rows]
-    if state.busy:
-        return "The scan goes on"
-    if not all(urls):
-        return "Choose a port for every device"
-    if len(set(urls)) < len(urls):
-        return "Two devices have the same port"
-    return ""
-
-
-def default_setup(url: str, profile: Profile) -> DeviceSetup:
-    """The setup of a port whose device is known without asking."""
-    return DeviceSetup(url, profile.port.bauds[0] or BAUD, profile.id, profile.name)

@@ -16,8 +16,9 @@ from PySide6.QtWidgets import (
 )
 
 from core.records.names import NO_NAME
-from gui.devices.presenter import MOST, DevicesPresenter, PropertiesState
+from gui.devices.presenter import MOST, DevicesPresenter
 from gui.devices.setup import BAUDS, DeviceSetup
+from gui.devices.state import PropertiesState
 
 
 class DevicesView(QWidget):

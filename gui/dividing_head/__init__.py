@@ -7,7 +7,9 @@ device            what the tab needs to know of a device: its layout and its sen
 settings          what the operator sets for the test
 state             everything the view shows
 presenter         the tab: clicks in, `HeadState` out
-sitting           the session at the head: joins walk and disk
+scene             the state put together from the parts
+sitting           the session at the head: plan, settings, walk, folder
+taking            what becomes of an accumulation: taken, doubted, taken back
 measure           the walk through the plan, fed with samples
 counts            how far a plan is, by the positions that count
 keeper            the session on the disk: accept, repeat, discard, undo, resume
@@ -15,6 +17,8 @@ cues              the large line of the stage and the banner of a doubtful posit
 live              means and standard deviations of the last second
 resuming          unfinished sessions
 results           Load Data, Process Data
+processing        their work: a calibration with its tables, in a worker
+nominal           what earlier calibrations tell of a device
 loading           files of any kind, and what to ask where they leave a choice
 exporting         Export
 graph             Main Graph

@@ -21,8 +21,11 @@ from gui.widgets.states import (
 
 REPEAT = BannerAction("repeat", "Repeat")
 TAKE = BannerAction("take", "Take it anyway")
+NEXT = BannerAction("next", "Go on")
 ACCEPT_AS = "accept as "
 """Key of the action that takes a position under another number, which follows."""
+MEASURE = "measure "
+"""Key of the action that makes another step the current one; its number follows."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -219,6 +222,35 @@ def doubt_banner(outcome: Outcome, steps: tuple[Step, ...]) -> BannerState:
         ),
         "",
         (*others, REPEAT, TAKE),
+    )
+
+
+def elsewhere_banner(text: str, candidates: tuple[int, ...], step: Step) -> BannerState:
+    """What to say, hands-free, when the unit rests in another position than the current one."""
+    others = [number for number in candidates if number != step.number]
+    return BannerState(
+        Severity.WARNING,
+        _sentence(text).rstrip("."),
+        "Nothing is being measured.",
+        f"Turn to {angle_words(step.head_deg)}, {mount_words(step.mount)}; or measure what is"
+        " there.",
+        tuple(
+            BannerAction(f"{MEASURE}{number}", f"Measure position {number}")
+            for number in others[:2]
+        ),
+    )
+
+
+def next_temperature_banner(here_c: float, after_c: float) -> BannerState:
+    """What to say when all positions at a temperature are done."""
+    here, after = (f"{value:+g} °C".replace("-", "\N{MINUS SIGN}") for value in (here_c, after_c))
+    return BannerState(
+        Severity.INFO,
+        f"All positions at {here} are done",
+        "",
+        f"Set the chamber to {after}, wait until the unit has its temperature, then go on.",
+        (NEXT,),
+        closable=False,
     )
 
 

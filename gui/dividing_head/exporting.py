@@ -12,7 +12,8 @@ from core.records.legacy.layout import LEGACY_FORMATS
 from core.records.legacy.writer import write_legacy
 from core.records.names import stamp
 from core.records.run_file import write_run
-from gui.dividing_head.results import ResultsPresenter, ResultsState
+from gui.dividing_head.processing import ResultsState
+from gui.dividing_head.results import ResultsPresenter
 from gui.jobs import Jobs
 from gui.messages import Messages
 from gui.widgets.states import BannerState

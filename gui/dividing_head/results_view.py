@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from core.errors import Note
-from gui.dividing_head.results import ResultsState
+from gui.dividing_head.processing import ResultsState
 from gui.widgets.icons import paint_severity, tone_of_severity
 from gui.widgets.matrix_view import MatrixView
 from gui.widgets.residual_plot import ResidualPlot

@@ -32,7 +32,6 @@ class HeadState:
     plans : identifiers and titles of the plans
     temperatures : of the thermal cycle; empty where the plan has none and the layout shows none
     steps : the plan
-    step_numbers : (n,) number of each step, in the order of `steps`
     stage : the large line
     actions : the row of buttons
     session : name of the session's folder, or of the one to come
@@ -47,7 +46,6 @@ class HeadState:
     plans: tuple[tuple[str, str], ...]
     temperatures: tuple[float, ...]
     steps: tuple[StepState, ...]
-    step_numbers: tuple[int, ...]
     stage: StageState
     actions: ActionBarState
     session: str

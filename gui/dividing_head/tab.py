@@ -15,6 +15,7 @@ from gui.dividing_head.presenter import HeadPresenter, remembered
 from gui.dividing_head.results import ResultsPresenter
 from gui.dividing_head.resuming import Resuming, settings_of_session
 from gui.dividing_head.sitting import Sitting
+from gui.dividing_head.taking import Taking
 from gui.dividing_head.view import HeadView
 from gui.services import Services
 
@@ -42,13 +43,14 @@ class HeadTab(QObject):
             settings,
             self,
         )
+        self.taking = Taking(self.sitting, self.bench, messages, self)
         self.presenter = HeadPresenter(
-            self.bench, self.sitting, self.results, plans, services.settings, self
+            self.bench, self.sitting, self.taking, self.results, plans, services.settings, self
         )
         self.exporting = Exporting(self.results, self._folder, services.jobs, messages, self)
         self._resuming = Resuming(messages, self)
         self._resuming.chosen.connect(self._on_resume)
-        self.sitting.cue.connect(self._on_cue)
+        self.taking.cue.connect(self._on_cue)
         self.view = HeadView(self.presenter)
         self.view.file_chosen.connect(self._on_file)
         self.results.changed.connect(self._on_results)
@@ -88,7 +90,7 @@ class HeadTab(QObject):
 
     def close(self) -> None:
         """Leave the session on the disk, to be continued."""
-        self.sitting.stop()
+        self.taking.stop()
         self.sitting.close()
 
     def load(self, path: Path) -> None:

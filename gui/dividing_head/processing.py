@@ -1,0 +1,183 @@
+"""From measurements to a calibration with its tables; runs in a worker thread."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from core.errors import FitError, Note, Severity, StorageError
+from core.fit.result import FitResult
+from core.plans.orientation import BaseOrientation
+from core.procedures.calibration import Calibration
+from core.procedures.dividing_head import calibrate
+from core.records.calibration_json import write_calibration
+from core.records.session.record import SessionRecord
+from core.samples.run import Conditions, Run
+from gui.dividing_head.live import mg_per_unit
+from gui.dividing_head.loading import Choice, load
+from gui.dividing_head.nominal import FILE
+from gui.dividing_head.settings import HeadSettings
+from gui.dividing_head.tables import (
+    accuracy_table,
+    attitude_table,
+    derived_table,
+    matrices,
+    measured_table,
+    parameter_table,
+    residuals,
+)
+from gui.widgets.states import MatrixState, ResidualState, TableState
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ResultsState:
+    """The results page.
+
+    Parameters
+    ----------
+    title : device and number of positions
+    source : session or file
+    parameters : of every sensor
+    matrices : K with U0, and Q, of a triad
+    residuals : by position
+    tables : what else there is, in the order of reading
+    notes : every doubt
+    mg_per_unit : milli-g of one unit of output, by the role of the channel
+    calibration, run, base : what the tables and the exports are made of
+    """
+
+    title: str
+    source: str
+    parameters: TableState
+    matrices: tuple[tuple[MatrixState, ...], ...]
+    residuals: ResidualState
+    tables: tuple[TableState, ...]
+    notes: tuple[Note, ...]
+    mg_per_unit: Mapping[str, float]
+    calibration: Calibration
+    run: Run
+    base: BaseOrientation
+
+
+def of_session(
+    record: SessionRecord, settings: HeadSettings, rows: Sequence[int] | None
+) -> ResultsState:
+    """Calibrate a session, or some of its rows; its calibration is kept in its folder."""
+    run = record.run()
+    if rows is not None:
+        run = run.rows(rows)
+    state = _results(run, settings.conditions(), record.start.base, record.folder.name)
+    try:
+        write_calibration(state.calibration, record.folder / FILE)
+    except StorageError as error:
+        note = Note(Severity.WARNING, "not_kept", f"the calibration was not kept: {error}")
+        state = replace(state, notes=(*state.notes, note))
+    return state
+
+
+def of_run(run: Run, source: str, settings: HeadSettings) -> ResultsState:
+    """Calibrate a run with what is on the screen."""
+    return _results(run, settings.conditions(), settings.base, source)
+
+
+def of_file(
+    path: Path,
+    settings: HeadSettings,
+    device: str | None,
+    mounts: Sequence[str] | None,
+    calibration: Calibration | None,
+) -> ResultsState | TableState | Choice:
+    """Calibrate what a file holds; an accuracy check gives a table by the present calibration.
+
+    Raises
+    ------
+    FormatError, FitError
+        The file is refused, or holds something else.
+    """
+    run = load(path, device, mounts)
+    if isinstance(run, Choice):
+        return run
+    if run.test == "accuracy":
+        if calibration is None or not calibration.is_triad:
+            raise FitError(
+                f"{path.name} is an accuracy check: load or measure the calibration of the triad"
+                " first, then load this file"
+            )
+        return accuracy_table(calibration, run)
+    if run.sensor != "accelerometer" or run.test != "dividing_head":
+        raise FitError(
+            f"{path.name} holds a {run.sensor} in the test {run.test!r}; here are"
+            " accelerometers on the dividing head"
+        )
+    return _results(
+        run, _stated(run.conditions, settings.conditions()), _base(run, settings), path.name
+    )
+
+
+def _results(run: Run, conditions: Conditions, base: BaseOrientation, source: str) -> ResultsState:
+    calibration = calibrate(run, conditions, base)
+    source_file, sha256 = run.meta.get("source"), run.meta.get("source_sha256")
+    if not calibration.provenance.records and source_file and sha256:
+        calibration = replace(
+            calibration,
+            provenance=replace(calibration.provenance, records=((str(source_file), str(sha256)),)),
+        )
+    tables = [derived_table(calibration), measured_table(calibration, run)]
+    check = attitude_table(calibration, run, base)
+    if check is not None:
+        tables.append(check)
+    named = [
+        Note(note.severity, note.subject, f"{name}: {note.text}")
+        for name, fit in zip(calibration.channels, calibration.fits, strict=True)
+        for note in fit.notes
+    ]
+    return ResultsState(
+        title=f"{run.device}, {len(run)} positions",
+        source=source,
+        parameters=parameter_table(calibration),
+        matrices=matrices(calibration),
+        residuals=residuals(calibration, run),
+        tables=tuple(tables),
+        notes=(*calibration.notes, *named),
+        mg_per_unit=_mg_per_unit(calibration),
+        calibration=calibration,
+        run=run,
+        base=base,
+    )
+
+
+def _stated(of_run: Conditions, of_screen: Conditions) -> Conditions:
+    """What the run states, and what is on the screen where it states nothing."""
+    names = ("g_mps2", "u_g_mps2", "head_u_arcsec")
+    stated = {name: getattr(of_run, name) for name in names}
+    return replace(
+        of_screen, **{name: value for name, value in stated.items() if np.isfinite(value)}
+    )
+
+
+def _base(run: Run, settings: HeadSettings) -> BaseOrientation:
+    """The base plate as a session states it; else as it is on the screen."""
+    names = ("alpha_arcmin", "beta_arcmin", "gamma_deg", "psi_deg")
+    found = [run.meta.get(f"base_{name}") for name in names]
+    if any(not isinstance(value, int | float) for value in found):
+        return settings.base
+    return BaseOrientation(*(float(value) for value in found if isinstance(value, int | float)))
+
+
+def _mg_per_unit(calibration: Calibration) -> Mapping[str, float]:
+    k = np.array([[_sensitivity(fit)] for fit in calibration.fits])
+    roles = tuple(_role_of(name) for name in calibration.channels)
+    return mg_per_unit(k, roles, calibration.conditions.g_mps2)
+
+
+def _sensitivity(fit: FitResult) -> float:
+    """Change of output per unit of input in the steepest direction."""
+    slopes = [v for n, v in zip(fit.names, fit.values.tolist(), strict=True) if n != "bias"]
+    return float(np.linalg.norm(slopes))
+
+
+def _role_of(channel: str) -> str:
+    """``acc_x`` -> ``acc.x``; an assembly's ``acc_3`` -> ``adc.3``."""
+    which = channel.rpartition("_")[2]
+    return f"adc.{which}" if which.isdecimal() else f"acc.{which}"
