@@ -76,7 +76,7 @@ def test_two_tumbles_that_are_no_flip_are_refused():
 @pytest.mark.slow
 def test_intervals_hold_the_truth():
     truth = {**TRUTH, "fixture": 0.4, "misalignment": np.degrees(np.arctan(0.015))}
-    trials, hits = 400, dict.fromkeys(truth, 0)
+    trials, hits = 700, dict.fromkeys(truth, 0)
     for seed in range(trials):
         found = separate(
             tumbled(False, 0.4, 3e-4, 2 * seed), tumbled(True, 0.4, 3e-4, 2 * seed + 1)
