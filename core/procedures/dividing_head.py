@@ -73,11 +73,18 @@ def calibrate(run: Run, conditions: Conditions, base: BaseOrientation = LEVEL) -
             device=run.device,
             profile=str(run.meta.get("profile", "")),
             plan=str(run.meta.get("plan", "")),
+            records=_sources(run),
             software=SOFTWARE,
             measured_utc=str(run.meta.get("measured_utc", "")),
             computed_utc=datetime.now(UTC).isoformat(timespec="seconds"),
         ),
     )
+
+
+def _sources(run: Run) -> tuple[tuple[str, str], ...]:
+    """Name and hash of the file that the run was read from, if it was read from one."""
+    name, sha256 = run.meta.get("source"), run.meta.get("source_sha256")
+    return ((str(name), str(sha256)),) if name and sha256 else ()
 
 
 def _fit_channel(

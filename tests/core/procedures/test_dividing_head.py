@@ -157,6 +157,15 @@ def test_more_positions_and_free_angles_serve_as_well() -> None:
     np.testing.assert_allclose(triad.bias, bias, rtol=1e-9)
 
 
+def test_a_calibration_names_the_file_that_it_came_from() -> None:
+    run = run_of(PLANS["pointer_8"], TABLE_2_2, ("x", "y", "z"))
+    assert calibrate(run, KYIV).provenance.records == ()
+    named = replace(run, meta={"source": "a.txt", "source_sha256": "ab12", "plan": "pointer_8"})
+    provenance = calibrate(named, KYIV).provenance
+    assert provenance.records == (("a.txt", "ab12"),)
+    assert provenance.plan == "pointer_8"
+
+
 def test_permuted_channels_are_suspected() -> None:
     run = run_of(PLANS["pointer_8"], TABLE_2_2[:, [1, 0, 2]], ("x", "y", "z"))
     assert "wrong_axis" in {note.subject for note in calibrate(run, KYIV).notes}
