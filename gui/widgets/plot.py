@@ -156,9 +156,17 @@ class Plot(pg.PlotWidget):
         super().mouseDoubleClickEvent(event)
         self.show_everything()
 
+    def close(self) -> bool:
+        # pyqtgraph's own fails when it is called twice.
+        if self.getPlotItem() is not None:
+            super().close()
+        return True
+
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_legend"):
+        # pyqtgraph empties a plot that is closed; Qt also asks before the plot has been built.
+        built = getattr(self, "_legend", None) is not None and self.getPlotItem() is not None
+        if built and event.type() == QEvent.Type.PaletteChange:
             self._wear(current_theme())
 
     def _placed(self, x: FloatArray, y: FloatArray) -> tuple[FloatArray, FloatArray]:

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import QSize
+from PySide6.QtCore import QEvent, QSize
 from PySide6.QtWidgets import QApplication, QWidget
 
 from gui.widgets.colours import THEMES
@@ -43,4 +43,5 @@ def save_pictures(
         written.append(path)
         widget.close()
         widget.deleteLater()
+        app.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     return written

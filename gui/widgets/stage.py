@@ -48,17 +48,19 @@ class Stage(QWidget):
         words.addWidget(self._headline)
         words.addWidget(self._detail)
         words.addStretch(1)
-        side = QVBoxLayout()
-        side.addStretch(1)
-        side.addWidget(self._ring, 0, Qt.AlignmentFlag.AlignHCenter)
-        side.addStretch(1)
-        side.addWidget(self._next, 0, Qt.AlignmentFlag.AlignRight)
+        upper = QHBoxLayout()
+        upper.setSpacing(unit)
+        upper.addLayout(words, 1)
+        upper.addWidget(self._ring)
+        right = QVBoxLayout()
+        right.setSpacing(0)
+        right.addLayout(upper, 1)
+        right.addWidget(self._next, 0, Qt.AlignmentFlag.AlignRight)
         row = QHBoxLayout(self)
         row.setContentsMargins(unit + _BAR_PX, unit, unit, unit)
         row.setSpacing(2 * unit)
         row.addWidget(self._picture, 4)
-        row.addLayout(words, 7)
-        row.addLayout(side, 0)
+        row.addLayout(right, 7)
         self._picture.setMaximumSize(28 * unit, 28 * unit)
 
     def render(self, state: StageState) -> None:
@@ -131,7 +133,12 @@ class _Headline(QWidget):
         return QSize(480, self.heightForWidth(480))
 
     def minimumSizeHint(self) -> QSize:
-        return QSize(5 * LEAST_PX, round(1.3 * LEAST_PX))
+        font = QFont(self.font())
+        font.setBold(True)
+        font.setPixelSize(LEAST_PX)
+        metrics = QFontMetricsF(font)
+        longest = max(map(metrics.horizontalAdvance, self._text.split()), default=0.0)
+        return QSize(round(longest + 1.35 * LEAST_PX), round(1.3 * LEAST_PX))
 
     def heightForWidth(self, width: int) -> int:
         font, lines = self._fit(width)

@@ -61,6 +61,12 @@ def test_colours_follow_the_look(qapp, allan):
     assert LIGHT.base not in after
 
 
+def test_a_closed_plot_survives_a_change_of_the_look(qapp, allan):
+    allan.close()
+    apply_theme(qapp, "dark")
+    qapp.processEvents()
+
+
 def test_grid_is_opaque_and_beneath_the_curves(allan):
     image = shown(allan)
     assert LIGHT.grid in colours(image)

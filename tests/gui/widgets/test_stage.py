@@ -1,4 +1,5 @@
 import pytest
+from PySide6.QtGui import QFontMetricsF
 from PySide6.QtWidgets import QLabel
 
 from gui.widgets.stage import LEAST_PX, Stage
@@ -70,3 +71,18 @@ def test_every_tone_is_drawn(stage, tone):
     stage.render(StageState("Words", tone=tone, progress=1.5, remaining_s=-1.0))
     assert not stage.grab().isNull()
     assert stage._ring.accessibleName() == "100%, 0"
+
+
+def test_the_longest_word_is_never_cut(stage):
+    stage.render(
+        StageState(
+            "Вимірювання", "", Tone.BUSY, 0.5, 7.0, Pose("X_from", 90), Pose("X_from", 180), "N"
+        )
+    )
+    stage.layout().activate()
+    stage.resize(stage.minimumSizeHint())
+    stage.layout().activate()
+    font, lines = headline(stage)._fit(headline(stage).width())
+    assert lines == ["Вимірювання"]
+    room = headline(stage).width() - 1.25 * LEAST_PX
+    assert QFontMetricsF(font).horizontalAdvance(lines[0]) <= room
