@@ -97,5 +97,17 @@ def test_a_broken_file_of_the_user_is_named(tmp_path: Path):
         load_profile(tmp_path / "none.toml")
 
 
+def test_the_examples_of_the_manual_can_be_read():
+    page = (Path(__file__).parents[2] / "docs" / "device-files.md").read_text("utf-8")
+    frame, line = (block.partition("```")[0] for block in page.split("```toml\n")[1:])
+    profile = parse_profile(frame, "example")
+    assert [channel.role for channel in make_decoder(profile).channels] == [
+        "acc.x", "acc.y", "acc.z",
+    ]  # fmt: skip
+    assert len(profile.commands["identify"].data) == 6
+    head = frame.partition("[frame]")[0]
+    assert isinstance(parse_profile(head + line, "example").stream, LineSpec)
+
+
 def test_a_missing_folder_of_the_user_is_an_empty_one(tmp_path: Path):
     assert list(load_profiles(tmp_path / "none")) == list(load_profiles())
