@@ -7,16 +7,13 @@ import argparse
 from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
-
 from core.errors import FormatError
 from core.plans.plan import Plan, load_plans
-from core.procedures.calibration import Calibration
 from core.procedures.dividing_head import calibrate
 from core.samples.run import Conditions
 from drivers.virtual.address import rig_of
-from drivers.virtual.devices import Output
 from drivers.virtual.session import Order, simulate_session
+from drivers.virtual.truth import compare, report
 from gui.commands.answer import Answer
 from gui.commands.conditions import KYIV_G_MPS2, add_conditions, conditions_of
 
@@ -63,19 +60,9 @@ def run(args: argparse.Namespace) -> Answer:
     )
     measured = simulate_session(order, args.folder)
     calibration = calibrate(measured, conditions)
-    truth = {output.role: output for output in rig.truth()}
-    rows = [
-        row
-        for place in range(len(calibration.channels))
-        for row in _compared(calibration, place, truth)
-    ]
-    covered = sum(row["covered"] is True for row in rows)
-    text = "\n".join(
-        f"{row['channel']:<6} {row['symbol']:<6} {row['estimate']:>13.6g} +- {row['U95']:<9.2g}"
-        f" truth {row['truth']:>13.6g}{'' if row['covered'] else '  outside'}"
-        for row in rows
-    )
-    text += f"\n{covered} of {len(rows)} intervals (95 %) hold the truth; session in {args.folder}"
+    rows = compare(calibration, rig)
+    text = "\n".join([*report(rows), f"session in {args.folder}"])
+    covered = sum(row.covered for row in rows)
     return Answer({"session": args.folder, "parameters": rows, "covered": covered}, text)
 
 
@@ -85,25 +72,3 @@ def _plan(args: argparse.Namespace) -> Plan:
         raise FormatError(args.plan, f"there is no such plan; there are: {', '.join(plans)}")
     plan = plans[args.plan]
     return plan if args.accumulation is None else replace(plan, accumulation_s=args.accumulation)
-
-
-def _compared(
-    calibration: Calibration, place: int, truth: dict[str, Output]
-) -> list[dict[str, object]]:
-    """Estimate, interval and truth of each parameter of one sensor."""
-    name, fit = calibration.channels[place], calibration.fits[place]
-    which = name.rpartition("_")[2]
-    hidden = truth[f"acc.{which}" if which in "xyz" else f"adc.{which}"]
-    half = fit.expanded()
-    return [
-        {
-            "channel": name,
-            "symbol": parameter.symbol,
-            "unit": parameter.unit,
-            "estimate": float(value),
-            "U95": float(width),
-            "truth": hidden.value(parameter.name),
-            "covered": bool(np.abs(value - hidden.value(parameter.name)) <= width),
-        }
-        for parameter, value, width in zip(fit.parameters, fit.values, half, strict=True)
-    ]

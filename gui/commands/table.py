@@ -36,6 +36,7 @@ COMMANDS = {
     "fit": Entry("gui.commands.fit", "calibrate from measured positions"),
     "export": Entry("gui.commands.export", "write a calibration as JSON, C header, MATLAB or CSV"),
     "convert": Entry("gui.commands.convert", "convert between legacy files, run files, sessions"),
+    "demo": Entry("gui.commands.demo", "measure a session in the window, by itself"),
     "simulate": Entry("gui.commands.simulate", "measure a session on the simulated rig"),
 }
 
