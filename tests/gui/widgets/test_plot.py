@@ -1,6 +1,6 @@
 import numpy as np
 import pytest
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QPointF, QSize, Qt
 from PySide6.QtGui import QColor, QImage
 
 from gui.widgets.chart_export import save_chart
@@ -71,6 +71,23 @@ def test_grid_is_opaque_and_beneath_the_curves(allan):
     image = shown(allan)
     assert LIGHT.grid in colours(image)
     assert all(axis.zValue() < -100 for axis in allan._axes.values())
+
+
+def test_lines_of_decades_are_stronger_than_those_between(qtbot):
+    plot = Plot(log_x=True)
+    qtbot.addWidget(plot)
+    plot.resize(500, 300)
+    plot._plot.setRange(xRange=(0.0, 2.0), yRange=(0.0, 1.0), padding=0)
+    plot.show()
+    plot.grab()
+    image = shown(plot)
+    box = plot._plot.getViewBox()
+    found = []
+    for power in (1.0, np.log10(50.0)):
+        place = plot.mapFromScene(box.mapViewToScene(QPointF(power, 0.53)))
+        near = {image.pixelColor(place.x() + offset, place.y()).name() for offset in (-1, 0, 1)}
+        found.append(near - {LIGHT.base})
+    assert found == [{LIGHT.grid}, {blend(LIGHT.grid, LIGHT.base, 0.5).name()}]
 
 
 def test_clear(allan):

@@ -65,6 +65,14 @@ def test_tilter_lifts_y_by_its_pitch():
     assert marks[0].toward == pytest.approx(1.0)
 
 
+def test_tilter_turns_about_the_axes_of_the_case():
+    marks = axis_marks(case_axes(Pose("Y_from", 0.0, (0.0, 30.0, 0.0))))
+    # Y looked at the viewer and X to the left; pitch lifts Y and leaves X.
+    assert marks[1].up == pytest.approx(0.5)
+    assert marks[0].right == pytest.approx(-1.0)
+    assert marks[2].toward == pytest.approx(-0.5)
+
+
 def test_axes_stay_orthonormal_with_a_tilter():
     axes = case_axes(Pose("Z_to@15", 33.0, (10.0, 20.0, 30.0)))
     assert np.allclose(axes @ axes.T, np.eye(3), atol=1e-12)
