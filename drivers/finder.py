@@ -33,19 +33,20 @@ class _Found:
     garbage: int = 0
     sample: bytes = b""
     bad: int = 0
-    checked: tuple[int, int, BoolArray] | None = None
-    """Place of the first row, distance and outcome of the rows that were checked last."""
+    checked: tuple[int, int, int, BoolArray] | None = None
+    """First place, distance, length and outcome of the rows that were checked last."""
 
-    def known(self, cursor: int, pitch: int) -> BoolArray | None:
+    def known(self, cursor: int, pitch: int, length: int) -> BoolArray | None:
         """Return the outcome for rows from `cursor` on if they were among those checked last.
 
         Damage within a frame leaves the frames behind it at their distance, and they need not be
         checked again.
         """
-        if self.checked is None or self.checked[1] != pitch:
+        if self.checked is None or self.checked[1:3] != (pitch, length):
             return None
+        good = self.checked[3]
         row, off = divmod(cursor - self.checked[0], pitch)
-        return self.checked[2][row:] if off == 0 and 0 <= row < len(self.checked[2]) else None
+        return good[row:] if off == 0 and 0 <= row < len(good) else None
 
     def waste(self, buffer: ByteArray, at: int, count: int) -> None:
         if count and not self.garbage:
@@ -195,7 +196,7 @@ class FrameFinder:
             count = min(most, self._rows)
             if count <= 0 or (self._tail_due and cursor < len(buffer)):
                 return cursor
-            good = found.known(cursor, pitch)
+            good = found.known(cursor, pitch, length)
             if good is None:
                 rows = np.ndarray((count, width), np.uint8, buffer, cursor, (pitch, 1))
                 good = self._genuine(rows, length)
@@ -203,7 +204,7 @@ class FrameFinder:
                     size = (count - 1, pitch - length)
                     tails = np.ndarray(size, np.uint8, buffer, cursor + length, (pitch, 1))
                     good[1:] &= (tails == self._tail).all(axis=1)
-                found.checked = (cursor, pitch, good)
+                found.checked = (cursor, pitch, length, good)
             count = len(good)
             taken = count if good.all() else int(good.argmin())
             if taken:
@@ -272,7 +273,6 @@ class FrameFinder:
         end = min(len(buffer), cursor + self._window)
         self._window = min(2 * self._window, max(_LARGEST_WINDOW, self._smallest_window))
         window = buffer[cursor:end]
-        at_end = end == len(buffer)
         places, lengths, cut = self._candidates(window)
         whole = places + lengths + self._shape.follow <= len(window)
         good = np.zeros(len(places), dtype=np.bool_)
@@ -285,14 +285,14 @@ class FrameFinder:
         kept = _greedy(starts, ends)
         starts, ends = starts[kept], ends[kept]
         stop = len(window)
-        if not (final and at_end):
+        if not final:
             waiting = _outside(np.concatenate((places[~whole], cut)), starts, ends)
             if len(waiting):
                 stop = int(waiting[0])
                 starts, ends = starts[starts < stop], ends[starts < stop]
         bad = _outside(places[whole & ~good], starts, ends)
         self._count_bad(bad, bad + lengths[np.searchsorted(places, bad)], stop, cursor, found)
-        return cursor + self._settle(window, cursor, starts, ends, stop, found, final and at_end)
+        return cursor + self._settle(window, cursor, starts, ends, stop, found, final)
 
     def _count_bad(
         self, places: IntArray, ends: IntArray, stop: int, cursor: int, found: _Found

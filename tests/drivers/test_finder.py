@@ -138,6 +138,36 @@ def test_a_tail_is_tolerated_and_neither_wanted_nor_garbage():
     assert run(shape, [frames[0] + CRLF + CRLF + frames[1]])[2] == 2
 
 
+def test_a_damaged_tail_is_garbage_however_the_stream_is_cut():
+    frames = [frame(bytes((n,)), 8) + CRLF for n in range(60)]
+    frames[30] = frames[30][:8] + b"\r\0"
+    data = b"".join(frames)
+    for pieces in ([data], cut(data, [200, 310, 311]), [data[n : n + 1] for n in range(len(data))]):
+        got, gaps, garbage, _ = run(SHAPES["fixed with tail"], pieces)
+        assert len(got) == 60
+        assert (garbage, gaps[31]) == (2, 2)
+
+
+def test_bad_places_within_a_bad_frame_count_once():
+    inner = b"\xaa\x55\x03\xaa\x55\x03"
+    hurt = bytearray(frame(inner * 6, 40))
+    hurt[-1] ^= 0xFF
+    assert run(SHAPES["told"], [bytes(hurt) + frame(b"", 8)])[2:] == (40, 1)
+
+
+def test_frames_of_other_lengths_at_the_same_distance_are_not_mixed_up():
+    """Eight bytes with a tail or ten without: the same distance, not the same frames."""
+    short = [frame(bytes((n,)), 8) for n in range(120)]
+    long = frame(b"abcdef", 10)
+    broken = b"\xaa\x55\x03damage!"
+    pieces = [item + CRLF for item in short]
+    pieces[40], pieces[41] = broken, long
+    data = b"".join(pieces)
+    whole = run(SHAPES["told with tail"], [data])
+    assert whole[0] == [*short[:40], long, *short[42:]]
+    assert run(SHAPES["told with tail"], [data[n : n + 1] for n in range(len(data))]) == whole
+
+
 def test_without_a_checksum_a_frame_needs_the_next_sync_or_a_frame_before_it():
     shape = SHAPES["no checksum"]
     frames = [bytes((0xAA, 0x55, n, 1, 2, 3, 4, 5)) for n in range(5)]

@@ -131,6 +131,8 @@ def test_without_a_counter_whole_missing_frames_are_seen_in_the_garbage():
     assert got.lost == [(1, 4)]
     assert got.garbage == 68
     assert got.index.tolist() == [0, 1, 2, *range(4, 9)]
+    bytes_missing = b"".join(frames[:3]) + frames[3][:20] + frames[3][21:] + b"".join(frames[4:])
+    assert decode(decoder("cvgx48"), [bytes_missing]).lost == [(1, 4)]
     short = b"".join(frames[:3]) + b"noise" + b"".join(frames[3:])
     assert decode(decoder("cvgx48"), [short]).lost == []
 
