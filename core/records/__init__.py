@@ -6,6 +6,8 @@ legacy
     The text files of ClbAcc, Pointer and ClbDUS, read and written.
 run_file, run_head, run_table
     ``NAME.run.csv`` <-> `Run`.
+cvgcom, cvgcom_name, cvgcom_writer, decimals
+    CVGCom's text file of a record, its name, its writing sample by sample, its fast reading.
 session
     The folder of one test: start document, journal of positions, raw bytes, legacy text.
 calibration_json
