@@ -161,10 +161,10 @@ def test_frames_of_other_lengths_at_the_same_distance_are_not_mixed_up():
     long = frame(b"abcdef", 10)
     broken = b"\xaa\x55\x03damage!"
     pieces = [item + CRLF for item in short]
-    pieces[40], pieces[41] = broken, long
+    pieces[40], pieces[41:50] = broken, [long] * 9
     data = b"".join(pieces)
     whole = run(SHAPES["told with tail"], [data])
-    assert whole[0] == [*short[:40], long, *short[42:]]
+    assert whole[0] == [*short[:40], *[long] * 9, *short[50:]]
     assert run(SHAPES["told with tail"], [data[n : n + 1] for n in range(len(data))]) == whole
 
 
