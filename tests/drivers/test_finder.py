@@ -157,14 +157,14 @@ def test_bad_places_within_a_bad_frame_count_once():
 
 def test_frames_of_other_lengths_at_the_same_distance_are_not_mixed_up():
     """Eight bytes with a tail or ten without: the same distance, not the same frames."""
-    short = [frame(bytes((n,)), 8) for n in range(120)]
+    short = [frame(bytes((n % 256,)), 8) for n in range(300)]
     long = frame(b"abcdef", 10)
     broken = b"\xaa\x55\x03damage!"
     pieces = [item + CRLF for item in short]
-    pieces[40], pieces[41:50] = broken, [long] * 9
+    pieces[120], pieces[121:130] = broken, [long] * 9
     data = b"".join(pieces)
     whole = run(SHAPES["told with tail"], [data])
-    assert whole[0] == [*short[:40], *[long] * 9, *short[50:]]
+    assert whole[0] == [*short[:120], *[long] * 9, *short[130:]]
     assert run(SHAPES["told with tail"], [data[n : n + 1] for n in range(len(data))]) == whole
 
 
