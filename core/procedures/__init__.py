@@ -12,4 +12,15 @@ dividing_head
     Accelerometers on the dividing head: (1.8), (2.4) and any other set of positions.
 attitude
     Pitch and roll from specific force: (2.9), (2.10) in well-conditioned forms.
+rate_table
+    Gyros on the rate table: scale factor and zero, (3.4) to (3.6); with `characteristic` (how
+    straight they are), `rate_faults` (what went wrong at the table), `rate_notes`.
+g_sensitivity, rate_and_head, two_files
+    Gyros on the head, (3.7) to (3.9); the whole model (3.3) from both; (3.10) and whether its two
+    files are of one unit. `earth`: when the rotation of the Earth matters.
+accuracy
+    Pitch and roll against set angles, Tables 2.5 and 2.6; with `accuracy_sources`, `set_angles`,
+    `angle_errors`, `accuracy_notes`, and `conformity`: limits and the decision rule.
+comparison
+    Gyros side by side: the table of lab 6.
 """

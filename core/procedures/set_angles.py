@@ -13,6 +13,7 @@ from core.samples.run import Run
 
 _KINDS = {"X": PITCH, "Y": ROLL}
 _PLAN = "pitch_accuracy"
+_DECIMALS = 9
 
 
 def set_angles(
@@ -66,7 +67,7 @@ def _by_head(run: Run, kind: str) -> FloatArray:
             for mount, angle in zip(run.mount, run.head_deg, strict=True)
         ]
     )
-    return wrapped(main_angle(kind, force, full_turn=True))
+    return _angles(kind, force)
 
 
 def _by_number(run: Run) -> FloatArray:
@@ -75,7 +76,12 @@ def _by_number(run: Run) -> FloatArray:
     if numbers is None or not all(int(number) in steps for number in numbers):
         raise FitError("the run does not hold the set angles; give them, e.g. 0,30,60")
     force = np.array([steps[int(number)].specific_force(1.0) for number in numbers])
-    return wrapped(main_angle(PITCH, force, full_turn=True))
+    return _angles(PITCH, force)
+
+
+def _angles(kind: str, force: FloatArray) -> FloatArray:
+    """Set angles (n,) without the rounding of their sines."""
+    return wrapped(np.round(main_angle(kind, force, full_turn=True), _DECIMALS))
 
 
 def _follows(angles: FloatArray, force: FloatArray) -> str:
