@@ -62,6 +62,9 @@ def _pixel_columns(
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """One column a pixel: a bin that covers two is drawn twice, or the curve would be a comb."""
     start, width = left + per_sample * columns.first, per_sample * columns.step
+    if width <= 1.0:
+        x = start + width * (0.5 + np.arange(columns.low.size, dtype=np.float64))
+        return x, columns.low, columns.high
     first, last = math.floor(start), math.ceil(start + width * columns.low.size)
     x = np.arange(first, last, dtype=np.float64) + 0.5
     bins = np.clip(((x - start) / width).astype(np.int64), 0, columns.low.size - 1)

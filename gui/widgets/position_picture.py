@@ -7,7 +7,7 @@ import math
 from itertools import product
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt
+from PySide6.QtCore import QCoreApplication, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import (
     QColor,
     QFont,
@@ -94,18 +94,25 @@ def angle_text(angle_deg: float) -> str:
 def describe(pose: Pose) -> str:
     """Return the picture in words, for the tool tip and for a screen reader."""
     parts = [pose.mount.replace("_", " "), angle_text(pose.head_deg)]
-    for mark in axis_marks(case_axes(pose)):
-        if mark.in_plane:
-            word = "".join(
-                (
-                    "up" if mark.up > 0.5 else "down" if mark.up < -0.5 else "",
-                    " right" if mark.right > 0.5 else " left" if mark.right < -0.5 else "",
-                )
-            ).strip()
-        else:
-            word = "from the head" if mark.toward > 0 else "to the head"
-        parts.append(f"{mark.name} {word}")
+    parts += [f"{mark.name} {_direction(mark)}" for mark in axis_marks(case_axes(pose))]
     return ", ".join(parts)
+
+
+def _direction(mark: AxisMark) -> str:
+    if not mark.in_plane:
+        if mark.toward > 0:
+            return QCoreApplication.translate("PositionPicture", "from the head")
+        return QCoreApplication.translate("PositionPicture", "to the head")
+    words: list[str] = []
+    if mark.up > 0.5:
+        words.append(QCoreApplication.translate("PositionPicture", "up"))
+    elif mark.up < -0.5:
+        words.append(QCoreApplication.translate("PositionPicture", "down"))
+    if mark.right > 0.5:
+        words.append(QCoreApplication.translate("PositionPicture", "right"))
+    elif mark.right < -0.5:
+        words.append(QCoreApplication.translate("PositionPicture", "left"))
+    return " ".join(words)
 
 
 def paint_pose(

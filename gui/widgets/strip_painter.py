@@ -92,7 +92,7 @@ def paint_ground(
         plot = layout.plot(row)
         painter.fillRect(plot, QColor(theme.base))
         low, high = view.limits(channel)
-        value_step = nice_step(high - low, max(1, int(plot.height() / (1.8 * metrics.height()))))
+        value_step = nice_step(high - low, max(1, int(plot.height() / (1.35 * metrics.height()))))
         values = ticks(low, high, value_step)
         scale = plot.height() / (high - low)
         painter.setPen(QPen(QColor(theme.grid), 1))

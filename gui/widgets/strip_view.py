@@ -82,7 +82,8 @@ class StripView:
         elif self.follow is Follow.TAIL:
             other_span = abs(self.stop - self.start - self.tail_s) > 1e-6 * self.tail_s
             if end > self.stop or end <= self.start or other_span:
-                self.stop = end + 0.1 * self.tail_s
+                # Until the record fills the window, it grows into it from the left.
+                self.stop = max(self.tail_s, end + 0.1 * self.tail_s)
                 self.start = self.stop - self.tail_s
 
     def fit(self, history: History, channels: Iterable[int]) -> None:

@@ -81,6 +81,21 @@ QCheckBox::indicator:disabled, QRadioButton::indicator:disabled {{
 }}
 QCheckBox:focus, QRadioButton:focus {{ color: {accent}; }}
 
+QToolButton[popupMode="1"], QToolButton[popupMode="2"] {{ padding-right: 1.3em; }}
+QToolButton::menu-indicator {{
+    image: url("{icons}/down-{name}.svg"); width: 0.8em; height: 0.8em;
+    subcontrol-origin: border; subcontrol-position: center right; right: 0.35em;
+}}
+
+QScrollBar:vertical {{ background: transparent; width: 0.85em; margin: 0; }}
+QScrollBar:horizontal {{ background: transparent; height: 0.85em; margin: 0; }}
+QScrollBar::handle {{ background: {line}; border-radius: 0.25em; margin: 0.15em; }}
+QScrollBar::handle:vertical {{ min-height: 2em; }}
+QScrollBar::handle:horizontal {{ min-width: 2em; }}
+QScrollBar::handle:hover {{ background: {field}; }}
+QScrollBar::add-line, QScrollBar::sub-line {{ width: 0; height: 0; }}
+QScrollBar::add-page, QScrollBar::sub-page {{ background: transparent; }}
+
 QTabWidget::pane {{ border: none; border-top: 1px solid {line}; }}
 QTabBar {{ qproperty-drawBase: 0; }}
 QTabBar::tab {{

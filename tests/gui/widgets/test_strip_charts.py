@@ -90,6 +90,14 @@ def test_tracking_keeps_the_span_and_steps_on(charts):
     assert moves <= 4
 
 
+def test_tracking_a_young_record_starts_at_zero(charts):
+    charts.track(500.0)
+    assert charts.window_s == (0.0, 500.0)
+    extend(charts._canvas.history, 401)
+    charts.refresh()
+    assert charts.window_s == pytest.approx((51.0, 551.0))
+
+
 def test_pause_freezes_the_picture_and_not_the_history(charts):
     charts.set_paused(True)
     window = charts.window_s
