@@ -13,7 +13,7 @@ from drivers.events import Event
 from drivers.ports import reopener
 from drivers.profile import Profile
 from drivers.rawlog import RawLog
-from drivers.reader import Counters, LinkState, Reader
+from drivers.reader import Counters, LinkState, Reader, Tap
 from drivers.transport import opener
 from gui.devices.setup import DeviceSetup
 from gui.widgets.states import LinkMark
@@ -109,6 +109,10 @@ class Link:
         """Note that nothing more will come."""
         self._ended = True
         self.error = error
+
+    def tap(self, tap: Tap | None) -> None:
+        """Let something hear all that is read from now on, in the reader's thread; or no more."""
+        self._reader.tap = tap
 
     def sync(self) -> None:
         """Wait until the raw bytes are on the disk; raises `StorageError`."""

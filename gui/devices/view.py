@@ -200,14 +200,15 @@ class _Row:
     def render(self, setup: DeviceSetup, state: PropertiesState) -> None:
         self.name.setText(setup.name)
         self.name.setEnabled(setup.name != NO_NAME)
-        labels = [(port.url, f"{port.url}   {port.text}") for port in state.ports]
-        _fill(self.port, labels)
-        place = self.port.findData(setup.url)
-        self.port.setCurrentIndex(place)
         line = self.port.lineEdit()
-        if line is not None and not line.hasFocus():
-            line.setText(setup.url)
-            line.setCursorPosition(0)
+        typed = line.text() if line is not None and line.isModified() else None
+        _fill(self.port, [(port.url, f"{port.url}   {port.text}") for port in state.ports])
+        self.port.setCurrentIndex(self.port.findData(setup.url))
+        if line is not None:
+            line.setText(setup.url if typed is None else typed)
+            line.setModified(typed is not None)
+            if not line.hasFocus():
+                line.setCursorPosition(0)
         self.baud.setCurrentText(str(setup.baud))
         _fill(self.profile, [("", "found by Scan"), *state.profiles])
         self.profile.setCurrentIndex(max(0, self.profile.findData(setup.profile_id)))
@@ -222,6 +223,9 @@ class _Row:
         self._presenter.set_port(self._number, url)
 
     def _on_port_typed(self) -> None:
+        line = self.port.lineEdit()
+        if line is not None:
+            line.setModified(False)
         self._presenter.set_port(self._number, self.port.currentText().partition("   ")[0])
 
     def _on_baud(self) -> None:

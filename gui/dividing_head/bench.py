@@ -85,6 +85,10 @@ class Bench(QObject):
             f"{self.name} sends none, so that it cannot be measured here. Choose another device.",
         )
 
+    def catch_up(self) -> None:
+        """Take everything that has come: what was measured before an order is not its answer."""
+        self._connection.drain()
+
     def sync(self) -> None:
         """Wait until the raw bytes are on the disk; raises `StorageError`."""
         link = self.link

@@ -76,7 +76,7 @@ def stage_of(scene: Scene) -> StageState:
             f"{scene.done_before} positions are on the disk. Press Process Data (F5).",
             Tone.GOOD,
         )
-    if scene.just_done is not None and status.phase is not Phase.MEASURING:
+    if scene.just_done is not None and status.phase in (Phase.READY, Phase.TURN, Phase.MOVING):
         return _done(scene.just_done, status.step, scene)
     return _of_phase(status, status.step, scene)
 

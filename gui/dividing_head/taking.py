@@ -71,6 +71,7 @@ class Taking(QObject):
     def start(self) -> None:
         """Accumulate the current step now."""
         if self._sitting.begin():
+            self._bench.catch_up()
             self._sitting.walk.start()
 
     def stop(self) -> None:
