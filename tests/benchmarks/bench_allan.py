@@ -153,6 +153,9 @@ def deviations(n: int) -> int:
 def streaming() -> int:
     """Print the rows of the live curve."""
     rng = np.random.default_rng(2)
+    warmed = LiveAllan(1000.0)
+    warmed.push(rng.normal(size=100_000))
+    warmed.curve()
     live = LiveAllan(1000.0)
     times = []
     for _ in range(3000):
