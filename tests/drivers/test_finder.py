@@ -158,7 +158,8 @@ def test_bad_places_within_a_bad_frame_count_once():
 def test_frames_of_other_lengths_at_the_same_distance_are_not_mixed_up():
     """Eight bytes with a tail or ten without: the same distance, not the same frames."""
     short = [frame(bytes((n % 256,)), 8) for n in range(300)]
-    long = frame(b"abcdef", 10)
+    long = frame(b"\xa3\0\0\0\0\r", 10)
+    assert long.endswith(CRLF)
     broken = b"\xaa\x55\x03damage!"
     pieces = [item + CRLF for item in short]
     pieces[120], pieces[121:130] = broken, [long] * 9
