@@ -12,6 +12,8 @@ from gui.main import main
 LEGACY = Path(__file__).parents[2] / "data" / "legacy"
 TABLE_1_2 = LEGACY / "OpticalDividingHead_202405131405.txt"
 TABLE_2_2 = LEGACY / "OpticalDividingHead_202405140930.txt"
+TABLE_3_2 = LEGACY / "RotationTable_202405151000.txt"
+TABLE_3_3 = LEGACY / "OpticalDividingHead_202405151045.txt"
 TABLE_2_4 = LEGACY / "Accuracy_202405141110.txt"
 
 
@@ -74,6 +76,37 @@ def test_refusals_are_one_line_and_exit_code_2(
     assert main(arguments) == 2
     (line,) = capsys.readouterr().err.splitlines()
     assert words in line
+
+
+def test_fit_gives_the_gyro_tables_and_refuses_to_mix_two_units(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    found = answer(["fit", str(TABLE_3_2), str(TABLE_3_3)], tmp_path / "o.json")
+    text = capsys.readouterr().out
+    rates, head = found["results"]
+    (sensor,) = rates["rate_table"]["sensors"]
+    np.testing.assert_allclose(sensor["line"]["fit"]["values"], [-438.08364, -79.378668], rtol=1e-7)
+    assert rates["bias"]["gyro_1"]["value"] == pytest.approx(5.5189089, rel=1e-7)
+    assert rates["residuals_dps"]["gyro_1"][0] == pytest.approx(0.02523577, rel=1e-6)
+    assert "the straight line is rejected (p = 0.0011)" in text
+    (gyro,) = head["g_sensitivity"]["sensors"]
+    np.testing.assert_allclose(gyro["fit"]["values"], [-718.04, 1.167105, -0.0091737508], rtol=1e-6)
+    assert "scale factor and zero of two units do not belong together" in text
+    assert "measured" not in head["table_3_7"]["gyro_1"]
+    forced = answer(["fit", str(TABLE_3_2), str(TABLE_3_3), "--same-unit"], tmp_path / "p.json")
+    error = forced["results"][1]["table_3_7"]["gyro_1"]["error"]
+    np.testing.assert_allclose(error[:3], [-3.5027444, -3.5141248, -3.5372212], atol=2e-3)
+
+
+def test_accuracy_stands_beside_the_units_own_and_judges(tmp_path: Path) -> None:
+    arguments = ["accuracy", str(TABLE_2_4), "--calibration", str(TABLE_2_2)]
+    found = answer([*arguments, "--limit", "0.1"], tmp_path / "o.json")
+    traces = {trace["source"]: trace for trace in found["traces"]}
+    np.testing.assert_allclose(
+        traces["own"]["error"], [-0.011550499, 0.026703779, 0.058996996], rtol=1e-6
+    )
+    assert main([*arguments, "--limit", "0.05"]) == 1
+    assert main([*arguments, "--limit", "0.1", "--angle", "0"]) == 2
 
 
 def test_convert_there_and_back_loses_nothing_that_counts(tmp_path: Path) -> None:
