@@ -7,6 +7,8 @@ A raw log is a block file (`drivers.framing`) with two tags:
 ``EVT0``
     JSON: ``t`` seconds since the start, ``kind``, and what belongs to it: ``"link lost"``,
     ``"reconnected"``, ``"not stored"`` with the ``count`` of bytes that a full disk refused.
+
+A recording (`drivers.recording`) is a raw log with decoded samples between the bytes.
 """
 
 import json
@@ -24,6 +26,8 @@ from drivers.framing import BlockWriter, Damage, Header, read_blocks, read_heade
 
 RAW = b"RAW0"
 EVENT = b"EVT0"
+BYTES_ONLY, WITH_SAMPLES = "raw", "recording"
+"""What the header of a log says of its content."""
 
 _TIME = struct.Struct("<d")
 _SYNC_S = 1.0
@@ -40,6 +44,7 @@ class RawLog:
     ----------
     path : must not exist yet
     header : device, port, profile text, whatever tells later what the bytes are
+    content : what else the log holds, `BYTES_ONLY` or `WITH_SAMPLES`
 
     Raises
     ------
@@ -47,13 +52,13 @@ class RawLog:
         The file cannot be made.
     """
 
-    def __init__(self, path: Path, header: Header) -> None:
+    def __init__(self, path: Path, header: Header, content: str = BYTES_ONLY) -> None:
         self.path = path
         self.error: StorageError | None = None
         """Why the latest bytes are not stored; None while all are. Any thread may look."""
         self._zero = time.monotonic()
         started = datetime.now(UTC).isoformat(timespec="milliseconds")
-        self._file = BlockWriter(path, {**header, "content": "raw", "started_utc": started})
+        self._file = BlockWriter(path, {**header, "content": content, "started_utc": started})
         self._synced = self._zero
         self._unsafe = False
         self._spool: deque[tuple[bytes, bytes]] = deque()
@@ -62,7 +67,7 @@ class RawLog:
 
     def write(self, data: bytes, arrival: float) -> None:
         """Store the bytes of one read; `arrival` is their time on the monotonic clock."""
-        self._store(RAW, _TIME.pack(arrival - self._zero) + data)
+        self.append(RAW, _TIME.pack(arrival - self._zero) + data)
         if arrival - self._synced >= _SYNC_S:
             self._synced = arrival
             self._settle()
@@ -70,7 +75,7 @@ class RawLog:
     def mark(self, kind: str, **fields: str | float) -> None:
         """Store that something happened to the link now."""
         event = {"t": time.monotonic() - self._zero, "kind": kind, **fields}
-        self._store(EVENT, json.dumps(event).encode())
+        self.append(EVENT, json.dumps(event).encode())
 
     def sync(self) -> None:
         """Wait until everything read so far is on the disk itself; for any thread.
@@ -93,7 +98,8 @@ class RawLog:
         except StorageError as error:
             self.error = error
 
-    def _store(self, tag: bytes, payload: bytes) -> None:
+    def append(self, tag: bytes, payload: bytes) -> None:
+        """Store a block of another kind."""
         self._spool.append((tag, payload))
         self._spooled += len(payload)
         self._flush()
@@ -152,7 +158,7 @@ def rawlog_header(path: Path) -> dict[str, object]:
         The file is no raw log.
     """
     header = read_header(path)
-    if header.get("content") != "raw":
+    if header.get("content") not in (BYTES_ONLY, WITH_SAMPLES):
         raise FormatError(path, f"holds {header.get('content')!r}; expected a raw log")
     return header
 
@@ -173,5 +179,10 @@ def read_rawlog(path: Path) -> Iterator[Chunk | Mark | Damage]:
             (t,) = cast(tuple[float], _TIME.unpack_from(block.payload))
             yield Chunk(t, block.payload[_TIME.size :])
         elif block.tag == EVENT:
-            fields = cast(dict[str, object], json.loads(block.payload))
-            yield Mark(float(str(fields.pop("t"))), str(fields.pop("kind")), fields)
+            yield event_of(block.payload)
+
+
+def event_of(payload: bytes) -> Mark:
+    """Return what an ``EVT0`` block tells."""
+    fields = cast(dict[str, object], json.loads(payload))
+    return Mark(float(str(fields.pop("t"))), str(fields.pop("kind")), fields)

@@ -12,6 +12,7 @@ import time
 from dataclasses import dataclass, replace
 from enum import Enum
 from queue import SimpleQueue
+from typing import Protocol
 
 from core.arrays import frozen_int
 from core.errors import LinkError, StorageError
@@ -75,8 +76,24 @@ class Counters:
     silent_s: float = 0.0
 
 
+class Tap(Protocol):
+    """Hears all that a reader reads and says, in the reader's thread; must not wait or raise."""
+
+    def take(self, data: bytes, arrival: float) -> None:
+        """Bytes of one read, before they are parsed; `arrival` on the monotonic clock."""
+        ...
+
+    def say(self, event: Event) -> None:
+        """An event, as `Reader.drain` will bring it."""
+        ...
+
+
 class Reader:
     """Reads one port in one plain thread.
+
+    Attributes
+    ----------
+    tap : hears everything from the next read on; any thread may set it or take it away
 
     Parameters
     ----------
@@ -110,6 +127,7 @@ class Reader:
         self._next_index = 0
         self._shift = 0
         self._resuming = False
+        self.tap: Tap | None = None
 
     def start(self) -> None:
         """Begin; a port that does not open says so as `Ended`."""
@@ -186,7 +204,7 @@ class Reader:
             if self._log is not None:
                 self._log.close()
             self._state = LinkState.ENDED
-            self._events.put(Ended(error))
+            self._say(Ended(error))
 
     def _link(self) -> LinkError | None:
         """Read until the end, over as many openings as it takes; return why it ended."""
@@ -233,6 +251,8 @@ class Reader:
         arrival = time.monotonic()
         if self._log is not None:
             self._log.write(data, arrival)
+        if (tap := self.tap) is not None:
+            tap.take(data, arrival)
         self._counters = replace(self._counters, bytes=self._counters.bytes + len(data))
         self._pass_on(self._decoder.feed(data), arrival)
 
@@ -252,6 +272,8 @@ class Reader:
 
     def _say(self, event: Event) -> None:
         self._counters = _counted(self._counters, event)
+        if (tap := self.tap) is not None:
+            tap.say(event)
         self._events.put(event)
 
     def _interrupted(self, error: LinkError) -> None:
@@ -260,7 +282,7 @@ class Reader:
         self._state = LinkState.RECONNECTING
         if self._log is not None:
             self._log.mark("link lost", why=error.why)
-        self._events.put(Message("link lost", b"", {"why": error.why}))
+        self._say(Message("link lost", b"", {"why": error.why}))
 
     def _reconnected(self) -> None:
         gap = time.monotonic() - self._last_frame

@@ -77,7 +77,7 @@ def _stretch(content: bytes, path: Path | str, line: int) -> tuple[FloatArray, I
         try:
             values[place] = float(token)
         except ValueError:
-            row = int(np.searchsorted(lines, starts[place]))
+            row = int(np.count_nonzero(lines < starts[place]))
             begin = int(lines[row - 1]) + 1 if row else _LONGEST
             shown = token.decode("utf-8", "replace")[:40]
             raise FormatError(

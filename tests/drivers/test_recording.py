@@ -1,0 +1,113 @@
+"""Opening records: torn tails, damage inside, records of bytes alone, what is no record."""
+
+import numpy as np
+import pytest
+
+from core.errors import FormatError
+from drivers.framing import BlockWriter
+from drivers.rawlog import RawLog
+from drivers.recorder import Recorder, RecordLayout
+from drivers.recording import read_recording
+from drivers.virtual.address import rig_of
+from tests.drivers.links import CVG
+from tests.drivers.test_recorder import HEADER, TWO, block, recorder
+
+
+@pytest.fixture
+def whole(tmp_path):
+    path = tmp_path / "whole.calrec"
+    writer = recorder(path)
+    for first in range(0, 400, 40):
+        writer.say(block(first, 40))
+        writer.take(bytes([first % 256]) * 100, 0.0)
+        writer.flush()
+    writer.close()
+    return path
+
+
+def test_every_cut_leaves_a_readable_record_of_right_numbers(whole, tmp_path):
+    content = whole.read_bytes()
+    header = 512
+    rng = np.random.default_rng(2)
+    for cut in rng.integers(header + 1300, len(content) - 1, 40).tolist():
+        torn = tmp_path / f"torn{cut}.calrec"
+        torn.write_bytes(content[:cut])
+        record = read_recording(torn)
+        index, data = record.samples()
+        assert np.array_equal(index, np.arange(len(index)))
+        assert np.array_equal(data[:, 0], index / 3.0)
+        assert not record.ended
+
+
+def test_a_torn_tail_is_told(whole, tmp_path):
+    torn = tmp_path / "torn.calrec"
+    torn.write_bytes(whole.read_bytes()[:-20])
+    assert [note.subject for note in read_recording(torn).notes] == ["torn_tail"]
+
+
+def test_damage_inside_is_a_gap_and_is_told(whole):
+    content = bytearray(whole.read_bytes())
+    place = content.index(b"BLK0", len(content) // 2) + 60
+    content[place] ^= 0xFF
+    whole.write_bytes(content)
+    record = read_recording(whole)
+    assert len(record) == 360
+    assert [gap.count for gap in record.gaps] == [40]
+    assert [note.subject for note in record.notes] == ["damaged"]
+
+
+def test_chunks_are_bounded_and_add_up(tmp_path):
+    path = tmp_path / "long.calrec"
+    writer = recorder(path)
+    writer.say(block(0, 200_000))
+    writer.close()
+    parts = list(read_recording(path).chunks())
+    assert max(len(part.index) for part in parts) <= 1 << 16
+    assert np.array_equal(np.concatenate([part.index for part in parts]), np.arange(200_000))
+
+
+def test_a_log_of_bytes_alone_is_decoded(tmp_path):
+    url = "sim://cvg25?name=bytes_alone&speed=max"
+    log = RawLog(tmp_path / "raw.calrec", {"device": "25-143", "profile_text": CVG.text})
+    for _ in range(10):
+        log.write(rig_of(url).produce(20), 0.0)
+    log.close()
+    record = read_recording(tmp_path / "raw.calrec")
+    assert len(record) == 200
+    assert record.rate == 200.0
+    assert [channel.name for channel in record.channels][:2] == ["GyroOut", "Temperature"]
+
+
+def test_a_resumed_record_decodes_with_its_gap(tmp_path):
+    url = "sim://cvg25?name=resumed&speed=max"
+    log = RawLog(tmp_path / "raw.calrec", {"profile_text": CVG.text})
+    zero = log._zero
+    log.write(rig_of(url).produce(20), zero + 0.1)
+    log.mark("link lost")
+    log.mark("reconnected")
+    log.write(rig_of(url).produce(20), zero + 2.1)
+    log.close()
+    record = read_recording(tmp_path / "raw.calrec")
+    assert [(gap.first, gap.count) for gap in record.gaps] == [(20, 380)]
+
+
+@pytest.mark.parametrize(
+    ("header", "words"),
+    [
+        ({"content": "something"}, "expected a raw log"),
+        ({"content": "raw"}, "no profile"),
+        ({"content": "raw", "profile_text": CVG.text}, "no samples"),
+    ],
+)
+def test_what_is_no_record_is_refused(tmp_path, header, words):
+    writer = BlockWriter(tmp_path / "no.calrec", header)
+    writer.append(b"RAW0", bytes(8) + b"noise")
+    writer.close()
+    with pytest.raises(FormatError, match=words):
+        read_recording(tmp_path / "no.calrec")
+
+
+def test_an_empty_record_says_so(tmp_path):
+    Recorder(tmp_path / "e.calrec", HEADER, RecordLayout(TWO, 100.0)).close()
+    with pytest.raises(FormatError, match="no profile"):
+        read_recording(tmp_path / "e.calrec")
