@@ -2,6 +2,8 @@
 
 result
     `FitResult`: values, covariance, residuals, chi-square, notes.
+design
+    `Design`: a model over its stimulus, shared by sensors that were measured together.
 linear
     Weighted linear least squares of a `SensorModel`.
 variance

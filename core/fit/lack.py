@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from core.arrays import FloatArray
+from core.arrays import FloatArray, IntArray
 from core.errors import Note, Severity
 from core.fit.quantiles import chi2_sf, f_sf
 from core.fit.result import LackOfFit
@@ -32,13 +32,14 @@ def model_p_value(chi2: float, dof: int, doubt: float) -> float:
 
 
 def lack_of_fit(
-    design: FloatArray, y: FloatArray, residuals: FloatArray, setting: FloatArray
+    group: IntArray, parameters: int, y: FloatArray, residuals: FloatArray, setting: FloatArray
 ) -> LackOfFit | None:
-    """F test against replicates: rows whose design is the same to rounding.
+    """F test against replicates.
 
     Parameters
     ----------
-    design : (n, p)
+    group : (n,) rows with the same number have the same input
+    parameters : how many were fitted
     y, residuals : (n,) measured, measured minus model
     setting : (n,) stated variance of the setting errors; a head repeats its error when it comes
         back to an angle, so replicates do not show it and the model may miss their mean by it
@@ -48,14 +49,9 @@ def lack_of_fit(
     LackOfFit or None
         None where nothing was repeated, or nothing is left to be tested.
     """
-    scale = np.abs(design).max(axis=0)
-    keys = np.round(design / np.where(scale > 0, scale, 1.0), 9) + 0.0
-    known: dict[bytes, int] = {}
-    group = np.array([known.setdefault(key.tobytes(), len(known)) for key in keys])
     count = np.bincount(group)
-    n, p = design.shape
-    pure_dof = n - len(count)
-    lack_dof = n - p - pure_dof
+    pure_dof = len(y) - len(count)
+    lack_dof = len(y) - parameters - pure_dof
     if pure_dof < 1 or lack_dof < 1:
         return None
     mean = np.bincount(group, weights=y) / count

@@ -18,7 +18,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.arrays import FloatArray, frozen
-from core.errors import FitError, Note, RankDeficient, Severity
+from core.errors import FitError, Note, Severity
+from core.fit.design import Design, Solution
 from core.fit.lack import REJECTED, lack_note, lack_of_fit, model_p_value, rejected_note
 from core.fit.quantiles import student_t_dof
 from core.fit.result import FitResult
@@ -27,8 +28,6 @@ from core.fit.variance import RowVariance, setting_errors
 from core.model.sensor_model import SensorModel
 from core.model.stimulus import Stimulus
 from core.samples.run import Conditions
-
-_FREE = 1e-11
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -76,8 +75,26 @@ def fit_sensor(
     FitError
         A value is not finite, or there are fewer rows than parameters.
     """
-    design = model.design(stimulus)
-    _check(model, design, rows)
+    return fit_design(Design.of(model, stimulus), rows, conditions)
+
+
+def fit_design(design: Design, rows: Rows, conditions: Conditions) -> FitResult:
+    """Estimate the parameters of one sensor over a design that was prepared before.
+
+    Parameters
+    ----------
+    design : the model over its stimulus, shared by sensors that were measured together
+    rows, conditions : as `fit_sensor`
+
+    Raises
+    ------
+    FitError
+        An output is not finite.
+    """
+    bad = np.flatnonzero(~np.isfinite(rows.y))
+    if bad.size:
+        raise FitError(f"row {bad[0] + 1}: the output is not a number")
+    model, stimulus = design.model, design.stimulus
     settings = np.zeros((2, len(rows.y)))
     state = _State.of(design, rows, settings, 0.0)
     if _has_setting_error(conditions):
@@ -89,29 +106,11 @@ def fit_sensor(
     if state.parts.known and repeatability != 0.0:
         state = _State.of(design, rows, settings, repeatability)
     inverse = state.solution.inverse
-    shared = np.hstack(
-        [inverse * error for error in settings]
-        + [_gravity_response(model, stimulus, state.solution, conditions)]
-    )
-    return _result(model, design, rows, shared, state)
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class _Solution:
-    values: FloatArray
-    inverse: FloatArray  # (p, n): values = inverse @ y
-    condition: float
-
-    @classmethod
-    def of(cls, design: FloatArray, y: FloatArray, variance: FloatArray) -> "_Solution":
-        weight = 1.0 / np.sqrt(variance)
-        length = np.linalg.norm(design, axis=0)
-        u, s, vt = np.linalg.svd((design / length) * weight[:, None], full_matrices=False)
-        inverse = ((vt.T / s) @ u.T) * weight / length[:, None]
-        values = inverse @ y
-        # One step of refinement returns the digits that a large offset took.
-        values = values + inverse @ (y - design @ values)
-        return cls(values, inverse, float(s[0] / s[-1]))
+    shared = np.vstack(
+        [inverse.T * error[:, None] for error in settings]
+        + [_gravity_response(model, stimulus, state.solution, conditions).T]
+    ).T
+    return _result(design, rows, shared, state)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -119,32 +118,30 @@ class _State:
     parts: RowVariance
     variance: FloatArray
     scatter: Scatter | None  # where the residuals had to tell a part of it
-    solution: _Solution
+    solution: Solution
 
     @classmethod
-    def of(
-        cls, design: FloatArray, rows: Rows, settings: FloatArray, repeatability: float
-    ) -> "_State":
+    def of(cls, design: Design, rows: Rows, settings: FloatArray, repeatability: float) -> "_State":
         drift = np.nan_to_num(repeatability) ** 2
         parts = RowVariance(rows.se**2, (settings**2).sum(axis=0) + drift, rows.se_dof)
-        n, p = design.shape
+        n, p = design.matrix.shape
         scatter = None
         variance: FloatArray
         if parts.known:
             variance = parts.accumulation + parts.setting
             if np.isnan(repeatability) and n > p:
-                scatter = extra_scatter(design, rows.y, variance)
+                scatter = extra_scatter(design.matrix, rows.y, variance)
                 variance = scatter.variance
         elif n == p:
             variance = parts.setting + 1.0
         elif np.any(parts.setting > 0):
-            scatter = common_scatter(design, rows.y, parts.setting)
+            scatter = common_scatter(design.matrix, rows.y, parts.setting)
             variance = scatter.variance
         else:
-            residual = rows.y - design @ _Solution.of(design, rows.y, np.ones_like(rows.y)).values
+            residual = rows.y - design.matrix @ design.solve(rows.y, parts.setting).values
             common = max(float(residual @ residual) / (n - p), rounding_variance(rows.y))
             variance = common + parts.setting
-        return cls(parts, variance, scatter, _Solution.of(design, rows.y, variance))
+        return cls(parts, variance, scatter, design.solve(rows.y, variance))
 
 
 def _has_setting_error(conditions: Conditions) -> bool:
@@ -160,48 +157,21 @@ def _in_output(repeatability: float, model: SensorModel, values: FloatArray) -> 
     return repeatability * abs(float(values[names.index("scale_factor")]))
 
 
-def _check(model: SensorModel, design: FloatArray, rows: Rows) -> None:
-    n, p = design.shape
-    bad = np.flatnonzero(~np.isfinite(rows.y))
-    if bad.size:
-        raise FitError(f"row {bad[0] + 1}: the output is not a number")
-    names = tuple(parameter.symbol for parameter in model.parameters)
-    unknown = np.flatnonzero(~np.isfinite(design).all(axis=0))
-    if unknown.size:
-        which = ", ".join(names[i] for i in unknown)
-        raise FitError(f"the input that {which} respond to is not known in every row")
-    length = np.linalg.norm(design, axis=0)
-    scaled = design / np.where(length > 0, length, 1.0)
-    s, vt = np.linalg.svd(scaled, full_matrices=n < p)[1:]
-    rank = int(np.sum(s > _FREE * s[0])) if s.size else 0
-    if rank == p:
-        return
-    # A parameter is free if a direction that the rows do not see moves it.
-    free = np.abs(vt[rank:]).max(axis=0) > 1e-6
-    raise RankDeficient(
-        tuple(name for name, is_free in zip(names, free, strict=True) if is_free),
-        f"{n} rows of these positions determine {rank} of {p} parameters; measure positions in"
-        " which the missing axes change, or fit fewer parameters",
-    )
-
-
-def _result(
-    model: SensorModel, design: FloatArray, rows: Rows, shared: FloatArray, state: _State
-) -> FitResult:
-    n, p = design.shape
+def _result(design: Design, rows: Rows, shared: FloatArray, state: _State) -> FitResult:
+    n, p = design.matrix.shape
     dof = n - p
     parts, variance, inverse = state.parts, state.variance, state.solution.inverse
-    fitted = design @ state.solution.values
+    fitted = design.matrix @ state.solution.values
     residuals = rows.y - fitted
     stated = parts.accumulation + parts.setting if parts.known else variance
     chi2 = float(np.sum(residuals**2 / stated)) if dof else 0.0
-    lack = lack_of_fit(design, rows.y, residuals, parts.setting)
+    lack = lack_of_fit(design.replicate, p, rows.y, residuals, parts.setting)
     covariance = (inverse * variance) @ inverse.T
     p_value = float("nan")
     notes: list[Note] = []
     if parts.known:
         source = "known" if state.scatter is None else "partly"
-        free = 1.0 - np.einsum("na,an->n", design, inverse)
+        free = 1.0 - np.einsum("na,an->n", design.matrix, inverse)
         doubt = (parts.accumulation / variance) ** 2 / parts.accumulation_dof
         # Weights taken from estimated variances pull towards rows that looked quiet by chance
         # (Meier 1953; Kenward and Roger 1997 for independent variances).
@@ -230,7 +200,7 @@ def _result(
         notes.append(lack_note(lack))
     covariance = covariance + np.outer(shared[:, -1], shared[:, -1])
     return FitResult(
-        parameters=model.parameters,
+        parameters=design.model.parameters,
         values=frozen(state.solution.values),
         covariance=frozen(covariance),
         shared=frozen(shared),
@@ -265,7 +235,7 @@ def _welch_satterthwaite(
 
 
 def _gravity_response(
-    model: SensorModel, stimulus: Stimulus, solution: _Solution, conditions: Conditions
+    model: SensorModel, stimulus: Stimulus, solution: Solution, conditions: Conditions
 ) -> FloatArray:
     """Change (p, 1) of the values by one standard deviation of g, common to all rows."""
     if not conditions.u_g_mps2 > 0:

@@ -13,8 +13,9 @@ import numpy as np
 
 from core.arrays import FloatArray, IntArray, frozen, frozen_int
 from core.errors import FitError, Note, Severity
+from core.fit.design import Design
 from core.fit.estimate import Estimate, parameter, ratio
-from core.fit.linear import Rows, fit_sensor
+from core.fit.linear import Rows, fit_design
 from core.fit.result import FitResult
 from core.model.catalogue.listing import CATALOGUE
 from core.model.effect import AXES, Sensor
@@ -252,9 +253,21 @@ class _Job:
     mountings: tuple[_Mounting, ...]
     full_scale: float
     expected: Mapping[str, float]
+    designs: dict[tuple[bytes, int], Design] = field(
+        default_factory=dict[tuple[bytes, int], Design]
+    )
     shapes: dict[tuple[bytes, bytes], Shape] = field(
         default_factory=dict[tuple[bytes, bytes], Shape]
     )
+
+    def design(self, rows: IntArray, turned: int) -> Design:
+        """The line's design; sensors that turned together have it in common."""
+        key = (rows.tobytes(), turned)
+        if key not in self.designs:
+            effects = (CATALOGUE["bias"], CATALOGUE["scale_factor"])
+            model = SensorModel(Sensor("gyro", AXES[turned], self.run.unit), effects)
+            self.designs[key] = Design.of(model, self.stimulus.rows(rows))
+        return self.designs[key]
 
     def shape(self, line: RateLine) -> Shape:
         """The shape of a line; sensors that turned together and weigh alike have it in common."""
@@ -336,18 +349,15 @@ def _sensor(job: _Job, axis: str, channel: int, left_out: IntArray) -> RateSenso
 def _line(job: _Job, axis: str, channel: int, mounting: _Mounting, left_out: IntArray) -> RateLine:
     run, turned = job.run, mounting.turned
     rows = mounting.rows[~np.isin(mounting.rows, left_out)]
-    part = job.stimulus.rows(rows)
-    model = SensorModel(
-        Sensor("gyro", AXES[turned], run.unit), (CATALOGUE["bias"], CATALOGUE["scale_factor"])
-    )
+    design = job.design(rows, turned)
     se_dof = run.extra.get("se_dof", np.full(len(run), np.inf))[rows]
     y = run.y[rows, channel]
-    fit = fit_sensor(model, part, Rows(y, run.y_se[rows, channel], se_dof), job.conditions)
+    fit = fit_design(design, Rows(y, run.y_se[rows, channel], se_dof), job.conditions)
     return RateLine(
         symbol=f"k_{axis}" if AXES[turned] == axis else f"k_{axis}{AXES[turned]}",
         mount=mounting.mount,
         rows=frozen_int(rows),
-        set_rate=frozen(part.dw_drate[:, turned] * run.set_rate_dps[rows]),
+        set_rate=frozen(design.stimulus.dw_drate[:, turned] * run.set_rate_dps[rows]),
         output=frozen(y),
         fit=fit,
     )

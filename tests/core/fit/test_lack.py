@@ -9,6 +9,7 @@ from core.fit.quantiles import chi2_sf
 RATES = np.repeat(np.arange(-2.0, 3.0), 2)
 LINE = np.column_stack([np.ones(10), RATES])
 NONE = np.zeros(10)
+GROUP = np.arange(10)
 
 
 def residuals(y: np.ndarray) -> np.ndarray:
@@ -18,7 +19,7 @@ def residuals(y: np.ndarray) -> np.ndarray:
 def test_the_f_test_is_that_of_the_handbook():
     rng = np.random.default_rng(1)
     y = RATES**2 + rng.normal(0.0, 0.5, 10)
-    lack = lack_of_fit(LINE, y, residuals(y), NONE)
+    lack = lack_of_fit(GROUP // 2, 2, y, residuals(y), NONE)
     pairs = y.reshape(5, 2)
     pure = np.sum((pairs - pairs.mean(axis=1, keepdims=True)) ** 2) / 5
     of_fit = (np.sum(residuals(y) ** 2) - 5 * pure) / 3
@@ -30,11 +31,14 @@ def test_the_f_test_is_that_of_the_handbook():
 
 
 def test_no_replicates_no_test():
-    assert lack_of_fit(LINE[::2], RATES[::2] ** 2, residuals(RATES**2)[::2], NONE[::2]) is None
+    assert (
+        lack_of_fit(GROUP[::2] // 2, 2, RATES[::2] ** 2, residuals(RATES**2)[::2], NONE[::2])
+        is None
+    )
 
 
 def test_replicates_that_agree_exactly_are_no_measure_of_noise():
-    assert lack_of_fit(LINE, RATES**2, residuals(RATES**2), NONE) is None
+    assert lack_of_fit(GROUP // 2, 2, RATES**2, residuals(RATES**2), NONE) is None
 
 
 def test_a_setting_error_that_repeats_is_not_taken_for_a_lack_of_fit():
@@ -43,7 +47,7 @@ def test_a_setting_error_that_repeats_is_not_taken_for_a_lack_of_fit():
     for _ in range(400):
         of_setting = np.repeat(rng.normal(0.0, 3.0, 5), 2)
         y = of_setting + rng.normal(0.0, 1.0, 10)
-        lack = lack_of_fit(LINE, y, residuals(y), np.full(10, 9.0))
+        lack = lack_of_fit(GROUP // 2, 2, y, residuals(y), np.full(10, 9.0))
         assert lack is not None
         alarms += lack.p_value < 0.05
     assert alarms / 400 < 0.09
@@ -54,7 +58,7 @@ def test_false_alarms_of_the_f_test_are_as_many_as_promised():
     low = 0
     for _ in range(2000):
         y = rng.normal(0.0, 1.0, 10)
-        lack = lack_of_fit(LINE, y, residuals(y), NONE)
+        lack = lack_of_fit(GROUP // 2, 2, y, residuals(y), NONE)
         low += lack is not None and lack.p_value < 0.05
     assert 0.038 < low / 2000 < 0.062
 
@@ -70,7 +74,7 @@ def test_doubt_about_the_variances_makes_a_large_chi_square_less_surprising():
 
 def test_notes_carry_the_numbers():
     y = RATES**2 + np.random.default_rng(1).normal(0.0, 0.5, 10)
-    lack = lack_of_fit(LINE, y, residuals(y), NONE)
+    lack = lack_of_fit(GROUP // 2, 2, y, residuals(y), NONE)
     assert lack is not None
     assert f"{lack.pure_sd:.3g}" in lack_note(lack).text
     assert "3.0 times" in rejected_note(1e-4, 9.0, False).text

@@ -23,13 +23,13 @@ DIGITS = {
     "Pontius": (12, 13),
     "NoInt1": (14, 14),
     "NoInt2": (14, 14),
-    "Filip": (7, 8),
+    "Filip": (6.5, 7),
     "Longley": (10, 11),
-    "Wampler1": (9.5, 9),
+    "Wampler1": (9, 8.5),
     "Wampler2": (12.5, 13),
-    "Wampler3": (9, 13),
-    "Wampler4": (7.5, 13),
-    "Wampler5": (6, 13),
+    "Wampler3": (8.5, 12.5),
+    "Wampler4": (7, 12.5),
+    "Wampler5": (5, 12.5),
 }
 
 
