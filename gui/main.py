@@ -32,6 +32,10 @@ def main(arguments: Sequence[str]) -> int:
         parser.error(f"there is no command {arguments[0]!r}; there are: {', '.join(COMMANDS)}")
     options = parser.parse_args(arguments)
 
+    from gui.widgets.override_guard import guard_overrides
+
+    # Before the first class of a window is defined.
+    guard_overrides()
     from gui.app import Options, run
 
     return run(Options(options.simulated, options.folder))
