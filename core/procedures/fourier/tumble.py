@@ -13,7 +13,7 @@ Signs: specific force a = -g (2.3), so the axis feels +g when it points up. The 
 gravity instead; this turns the signs of k_x and k_y over and leaves C0 ... C6 as they are.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -142,7 +142,11 @@ def calibrate_tumble(
     model = SensorModel(
         Sensor(run.sensor, axis, run.unit), (*effects, LinearDrift()) if remove_drift else effects
     )
-    se_dof = run.extra.get(f"y_se_dof_{channel + 1}", np.full(len(run), np.inf))
+    se_dof = run.extra.get("se_dof", np.full(len(run), np.inf))
+    if conditions.repeatability > 0:
+        # Stated in input units; half the swing of the output over g is the scale factor.
+        swing = float(np.ptp(y)) / 2.0 / conditions.g_mps2
+        conditions = replace(conditions, repeatability=conditions.repeatability * swing)
     fit = fit_sensor(model, stimulus, Rows(y, run.y_se[:, channel], se_dof), conditions)
     if fit.condition > _WORST_CONDITION:
         raise FitError(

@@ -1,0 +1,17 @@
+"""Sensors against temperature (source 002, and the list Temperatures of the dividing head).
+
+over_temperature
+    An effect whose parameters are polynomials of the temperature.
+plateaus
+    Which rows were measured at one temperature, and how it was reached.
+orders
+    The order of the polynomials, by cross-validation over temperatures.
+points
+    Bias and scale factor at each plateau; hysteresis.
+cycle
+    `calibrate_thermal`: all rows of a temperature cycle at once.
+record
+    `fit_record`: the output of a standing unit while the chamber goes through its cycle.
+tilt
+    Errors of roll and pitch before and after compensation.
+"""
