@@ -63,7 +63,7 @@ def test_a_channel_that_explains_nothing_is_said(noise):
 @pytest.mark.parametrize("k", [5e-5, 2e-4])
 def test_uncertainty_covers_although_the_bias_wanders(noise, k):
     hits = naive = 0
-    for seed in range(80):
+    for seed in range(60):
         y = (
             noise(np.random.default_rng(seed), N, RATE, N=0.0025, B=0.001, K=k)
             + 0.004 * TEMPERATURE
@@ -72,8 +72,8 @@ def test_uncertainty_covers_although_the_bias_wanders(noise, k):
         hits += abs(got.values[0] - 0.004) < 1.96 * got.u[0]
         (slope, _), covariance = np.polyfit(TEMPERATURE, y, 1, cov="unscaled")
         naive += abs(slope - 0.004) < 1.96 * np.sqrt(covariance[0, 0]) * 0.0025 * np.sqrt(RATE)
-    assert hits >= 71
-    assert naive < 40
+    assert hits >= 53
+    assert naive < 30
 
 
 def test_gaps_and_start(noise):

@@ -154,12 +154,12 @@ def test_codes_of_16_bits_are_taken_as_they_are(noise):
 
 @pytest.mark.slow
 def test_accuracy_and_coverage_on_hours_of_a_mems_gyro(noise):
-    """30 records; the full table of cases is in the benchmark."""
+    """25 records; the full table of cases is in the benchmark."""
     truth = {"random_walk": 0.0025, "bias_instability": 0.001, "rate_random_walk": 5e-5}
     values = {term: [] for term in truth}
     hits = dict.fromkeys(truth, 0)
     least = []
-    for seed in range(30):
+    for seed in range(25):
         result = fit_noise(noise(np.random.default_rng(seed), HOUR, 100.0, **CASE_B), 100.0)
         least.append(result.row("bias_instability", "least_squares").value)
         for term, true in truth.items():
@@ -171,19 +171,19 @@ def test_accuracy_and_coverage_on_hours_of_a_mems_gyro(noise):
     assert rmse["bias_instability"] < 0.075
     assert np.sqrt(np.mean((np.array(least) / 0.001 - 1.0) ** 2)) < 0.075
     assert abs(np.mean(values["bias_instability"])) < 0.025
-    assert all(count >= 26 for count in hits.values())
+    assert all(count >= 22 for count in hits.values())
 
 
 @pytest.mark.slow
 def test_upper_limits_hold_where_there_is_no_bias_instability(noise):
     """Case D: a limit is printed nearly always, and the false alarms are a few per cent."""
     limits = 0
-    for seed in range(30):
+    for seed in range(20):
         y = noise(np.random.default_rng(seed), 90_000, 25.0, N=0.0025, K=1e-4)
         row = fit_noise(y, 25.0).row("bias_instability")
         limits += row.upper_limit
         assert row.upper < 1.3e-3
-    assert limits >= 27
+    assert limits >= 18
 
 
 @pytest.mark.slow
@@ -193,7 +193,7 @@ def test_b_survives_what_real_records_hold(noise, spoiled):
 
     t = np.arange(90_000) / 25.0
     values = []
-    for seed in range(12):
+    for seed in range(8):
         rng = np.random.default_rng(seed)
         y = noise(rng, 90_000, 25.0, **CASE_B)
         if spoiled == "filter":
