@@ -51,13 +51,10 @@ def examine(
     channels : (c,) names of the outputs
     rows : (n,) numbers of the rows, as operators count them
     """
-    n, c = y.shape
-    clipped = np.zeros((n, c), dtype=np.bool_)
     if len(np.unique(x)) < _FEWEST:
-        return Examined(clipped, ())
+        return Examined(np.zeros(y.shape, dtype=np.bool_), ())
     notes = list(_unsteady(x, se, rows))
-    for channel in range(c):
-        clipped[:, channel] = _clipped(x, y[:, channel], se[:, channel])
+    clipped = _clipped(x, y, se)
     k = _median_slopes(x, y)
     turning = np.flatnonzero(k != 0)
     notes.extend(_clipped_notes(x, y, clipped, channels))
@@ -75,32 +72,43 @@ def _median_slopes(x: FloatArray, y: FloatArray) -> FloatArray:
 
 
 def _clipped(x: FloatArray, y: FloatArray, se: FloatArray) -> NDArray[np.bool_]:
-    """Rows (n,) at the ends whose output grows less than in the middle, or no more."""
+    """Rows (n, c) at the ends whose output grows less than in the middle, or no more."""
     rates, group = np.unique(x, return_inverse=True)
-    means = np.bincount(group, weights=y) / np.bincount(group)
+    alike = (group == np.arange(len(rates))[:, None]).astype(np.float64)
+    means = alike @ y / alike.sum(axis=1, keepdims=True)
     trim = len(rates) // 3
     middle = slice(trim, len(rates) - trim)
-    k = float(_median_slopes(rates[middle], means[middle][:, None])[0])
-    grown = np.diff(means) / np.diff(rates) / k if k else np.ones(len(rates) - 1)
-    if grown[0] >= _FLATTER and grown[-1] >= _FLATTER:
-        return np.zeros(len(x), dtype=np.bool_)
-    deviation = means / k - rates
-    deviation = np.abs(deviation - np.median(deviation[middle]))
-    noise = _TO_SIGMA * float(np.median(deviation[middle]))
-    flat = (grown > -_ALIKE) & (grown < _FLATTER)
-    missing = deviation > max(_ROBUST_SIGMAS * noise, _SHARE_OF_RANGE * float(np.abs(rates).max()))
-    if np.all(np.isfinite(se)):
-        missing[group[se > _UNSTEADY * np.median(se)]] = False
-    out = np.zeros(len(rates), dtype=np.bool_)
-    for place in range(len(rates) - 1, _FEWEST - 2, -1):
+    k = _median_slopes(rates[middle], means[middle])
+    k = np.where(k == 0, np.inf, k)  # a dead sensor cannot be clipped
+    grown = np.diff(means, axis=0) / np.diff(rates)[:, None] / k
+    ends = (grown[[0, -1]] < _FLATTER) & (grown[[0, -1]] > -_ALIKE)
+    clipped = np.zeros(y.shape, dtype=np.bool_)
+    for channel in np.flatnonzero(ends.any(axis=0) & np.isfinite(k)):
+        deviation = means[:, channel] / k[channel] - rates
+        deviation = np.abs(deviation - np.median(deviation[middle]))
+        noise = _TO_SIGMA * float(np.median(deviation[middle]))
+        limit = max(_ROBUST_SIGMAS * noise, _SHARE_OF_RANGE * float(np.abs(rates).max()))
+        missing = deviation > limit
+        own = se[:, channel]
+        if np.all(np.isfinite(own)):
+            missing[group[own > _UNSTEADY * np.median(own)]] = False
+        flat = (grown[:, channel] > -_ALIKE) & (grown[:, channel] < _FLATTER)
+        clipped[:, channel] = _from_the_ends(flat, missing)[group]
+    return clipped
+
+
+def _from_the_ends(flat: NDArray[np.bool_], missing: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Rates (m,) that fall short, in one stretch from either end, by the steps (m - 1,) to them."""
+    out = np.zeros(len(missing), dtype=np.bool_)
+    for place in range(len(missing) - 1, _FEWEST - 2, -1):
         if not (flat[place - 1] and missing[place]):
             break
         out[place] = True
-    for place in range(len(rates) - _FEWEST + 1):
+    for place in range(len(missing) - _FEWEST + 1):
         if not (flat[place] and missing[place]):
             break
         out[place] = True
-    return out[group]
+    return out
 
 
 def _stands_for(
