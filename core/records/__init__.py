@@ -8,6 +8,8 @@ run_file, run_head, run_table
     ``NAME.run.csv`` <-> `Run`.
 cvgcom, cvgcom_name, cvgcom_writer, decimals
     CVGCom's text file of a record, its name, its writing sample by sample, its fast reading.
+means
+    ``means.dat``: the mean of each record, and what the fits take of it.
 session
     The folder of one test: start document, journal of positions, raw bytes, legacy text.
 calibration_json

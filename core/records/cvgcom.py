@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from core.arrays import FloatArray, frozen
+from core.arrays import FloatArray, IntArray, frozen, frozen_int
 from core.errors import FormatError, Note, Severity
 from core.records.cvgcom_name import CvgcomName
 from core.records.decimals import read_decimals
@@ -84,6 +84,10 @@ class CvgcomFile:
     data: FloatArray
     name: CvgcomName | None
     notes: tuple[Note, ...]
+
+    def numbers(self) -> IntArray:
+        """Numbers of the rows, (n,)."""
+        return frozen_int(np.arange(len(self.data)))
 
 
 def is_cvgcom(path: Path) -> bool:

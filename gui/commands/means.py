@@ -1,0 +1,143 @@
+"""Every record of the folder is averaged: CVGCom's text files and recordings (.calrec).
+
+Writes means.dat (file name and means) and means.csv (with standard errors) into the folder. Of a
+recording and the text file beside it only the recording counts. With --rates or --positions, one
+for each record in the order of the table, --run writes a run file for `calrig fit`.
+"""
+
+import argparse
+from pathlib import Path
+
+from core.errors import FormatError
+from core.records.cvgcom import is_cvgcom, read_cvgcom
+from core.records.cvgcom_name import CvgcomName
+from core.records.means import RecordMean, mean_of, means_run, write_means
+from core.records.run_file import write_run
+from drivers.recording import SUFFIX, read_recording
+from gui.commands.answer import Answer
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the folder, the intervals and what stood on the table or the head."""
+    parser.add_argument("folder", type=Path)
+    parser.add_argument(
+        "--interval", action="append", default=[], metavar="A:B", help="seconds of each record"
+    )
+    parser.add_argument("--rates", help="set rates, deg/s: 10,-10,20,-20")
+    parser.add_argument("--positions", help="mounts and angles: X_from:0,X_from:90")
+    parser.add_argument("--device", default="", help="serial number, if no file tells it")
+    parser.add_argument("--run", type=Path, help="run file to write (NAME.run.csv)")
+
+
+def run(args: argparse.Namespace) -> Answer:
+    """Average, write and show the means."""
+    intervals: list[tuple[float, float] | None] = [_pair(text) for text in args.interval]
+    means = [mean for path in records_in(args.folder) for mean in means_of_record(path, intervals)]
+    files = [*write_means(means, args.folder)]
+    if args.run is not None:
+        write_run(
+            means_run(
+                means,
+                args.device or _device(means),
+                rates_dps=[_number(text) for text in _list(args.rates)],
+                positions=[_position(text) for text in _list(args.positions)],
+            ),
+            args.run,
+        )
+        files.append(args.run)
+    data = {"files": files, "means": [_plain(one) for one in means]}
+    return Answer(data, "\n".join([*map(_line, means), *map(str, files)]))
+
+
+def records_in(folder: Path) -> list[Path]:
+    """Records of a folder in the order of their experiments.
+
+    Raises
+    ------
+    FormatError
+        The folder cannot be read, or holds no records.
+    """
+    try:
+        files = sorted(folder.iterdir())
+    except OSError as error:
+        raise FormatError(folder, f"cannot be read: {error.strerror}") from error
+    recorded = {path.stem for path in files if path.suffix == SUFFIX}
+    found = [
+        path
+        for path in files
+        if path.suffix == SUFFIX or (path.stem not in recorded and is_cvgcom(path))
+    ]
+    if not found:
+        raise FormatError(folder, "holds no records of CVGCom and no recordings")
+    return sorted(found, key=_experiment)
+
+
+def means_of_record(path: Path, intervals: list[tuple[float, float] | None]) -> list[RecordMean]:
+    """Means of the intervals of one record; None is the whole of it."""
+    if path.suffix == SUFFIX:
+        record = read_recording(path)
+        index, data = record.samples()
+        channels, rate = record.channels, record.rate
+    else:
+        text = read_cvgcom(path)
+        data, channels, rate = text.data, text.head.channels, text.head.rate
+        index = text.numbers()
+    return [mean_of(path.name, channels, index, data, rate, part) for part in intervals]
+
+
+def _experiment(path: Path) -> tuple[int, str]:
+    name = CvgcomName.parse(path.name)
+    return (0 if name is None else name.experiment, path.name)
+
+
+def _device(means: list[RecordMean]) -> str:
+    names = (CvgcomName.parse(mean.record) for mean in means)
+    return next((name.device for name in names if name is not None), "")
+
+
+def _list(text: str | None) -> list[str]:
+    return [part.strip() for part in text.split(",")] if text else []
+
+
+def _number(text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        raise FormatError("arguments", f"{text!r} is no number") from None
+
+
+def _pair(text: str) -> tuple[float, float]:
+    start, colon, stop = text.partition(":")
+    if not colon:
+        raise FormatError("arguments", f"{text!r} is no interval; write 10:70")
+    return _number(start), _number(stop)
+
+
+def _position(text: str) -> tuple[str, float]:
+    mount, colon, angle = text.rpartition(":")
+    if not colon:
+        raise FormatError("arguments", f"{text!r} is no position; write X_from:90")
+    return mount, _number(angle)
+
+
+def _plain(one: RecordMean) -> dict[str, object]:
+    return {
+        "record": one.record,
+        "channels": [channel.name for channel in one.channels],
+        "mean": one.mean,
+        "se": one.se,
+        "n": one.n,
+        "start_s": one.start_s,
+        "seconds": one.seconds,
+        "lost": one.lost,
+        "notes": one.notes,
+    }
+
+
+def _line(one: RecordMean) -> str:
+    values = "  ".join(
+        f"{channel.name} {mean:.9f} ± {se:.2g} {channel.unit}"
+        for channel, mean, se in zip(one.channels[:2], one.mean, one.se, strict=False)
+    )
+    notes = "".join(f"\n  {note.severity.value}: {note.text}" for note in one.notes)
+    return f"{one.record}  n {one.n}  {values}{notes}"
