@@ -32,7 +32,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(args: argparse.Namespace) -> Answer:
     """Average, write and show the means."""
     intervals: list[tuple[float, float] | None] = [_pair(text) for text in args.interval]
-    means = [mean for path in records_in(args.folder) for mean in means_of_record(path, intervals)]
+    means = [
+        mean
+        for path in records_in(args.folder)
+        for mean in means_of_record(path, intervals or [None])
+    ]
     files = [*write_means(means, args.folder)]
     if args.run is not None:
         write_run(
