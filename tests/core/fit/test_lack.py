@@ -78,3 +78,18 @@ def test_notes_carry_the_numbers():
     assert lack is not None
     assert f"{lack.pure_sd:.3g}" in lack_note(lack).text
     assert "3.0 times" in rejected_note(1e-4, 9.0, False).text
+
+
+def test_false_alarms_with_variances_of_few_degrees_of_freedom():
+    rng = np.random.default_rng(6)
+    dof, n, trials = 6.0, 11, 4000
+    low = {"allowed for": 0, "ignored": 0}
+    for _ in range(trials):
+        variance = rng.chisquare(dof, n) / dof
+        y, weight = rng.normal(size=n), 1.0 / variance
+        chi2 = float(np.sum(weight * (y - weight @ y / weight.sum()) ** 2))
+        doubt = float(np.sum((1.0 - weight / weight.sum()) ** 2 / dof))
+        low["allowed for"] += model_p_value(chi2, n - 1, doubt) < 0.05
+        low["ignored"] += chi2_sf(chi2, n - 1) < 0.05
+    assert 0.035 < low["allowed for"] / trials < 0.08
+    assert low["ignored"] / trials > 0.15

@@ -145,3 +145,23 @@ def test_an_unstated_error_of_the_table_is_caught_by_the_residuals():
     inside, _, rejected = coverage(line(), 0.3, Conditions(), INF, in_force=worn)
     assert rejected == 1.0
     assert np.all((inside > 0.93) & (inside < 0.97)), inside
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("drift", [0.0, 0.5, 2.0])
+@pytest.mark.parametrize("stated", [False, True])
+def test_drift_between_accumulations_beyond_their_noise(drift: float, stated: bool):
+    model, stimulus, truth = line()
+    rng = np.random.default_rng(77)
+    # Repeatability is stated in units of the input; stated as nothing it is looked for.
+    repeatability = drift / abs(truth[1]) if stated else float("nan")
+    conditions = Conditions(repeatability=repeatability)
+    exact = model.predict(stimulus, truth)
+    inside, trials = np.zeros(2), 1500
+    for _ in range(trials):
+        y = exact + rng.normal(0.0, 1.0, 11) + rng.normal(0.0, drift, 11)
+        fit = fit_sensor(model, stimulus, Rows.of(y, np.ones(11)), conditions)
+        inside += np.abs(fit.values - truth) <= fit.expanded()
+    share = inside / trials
+    # What has to be looked for is paid for where there is nothing to find.
+    assert np.all((share > 0.925) & (share < (0.97 if stated else 0.99))), share
