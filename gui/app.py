@@ -8,28 +8,23 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from types import TracebackType
-from typing import cast
+from typing import TYPE_CHECKING, cast
 
-from PySide6.QtCore import QByteArray, QObject, QStandardPaths, QTimer
-from PySide6.QtWidgets import QApplication
+from PySide6.QtCore import QByteArray, QObject, QStandardPaths, QTimer, Signal
+from PySide6.QtWidgets import QApplication, QWidget
 
 from core.errors import FormatError, LabError, Severity
-from core.plans.plan import Plan, Step
-from core.records.session.find import default_root
-from drivers.profile import Profile, load_profiles
-from drivers.virtual.address import rig_of
-from gui.devices.connection import Connection
-from gui.devices.presenter import DevicesPresenter
-from gui.devices.setup import DeviceSetup, setups_of_section, setups_to_section
-from gui.devices.view import DevicesView
 from gui.jobs import Jobs
 from gui.main_window import LOOKS, MainWindow, Tab, TabModule
 from gui.messages import Messages
-from gui.services import Services
 from gui.settings import Settings, text_of
 from gui.widgets.sound import Cue, Sounds
 from gui.widgets.states import BannerState
 from gui.widgets.theme import apply_theme
+
+if TYPE_CHECKING:
+    from core.plans.plan import Plan, Step
+    from drivers.profile import Profile
 
 TABS: dict[str, str] = {
     "Dividing head": "gui.dividing_head.tab",
@@ -66,54 +61,49 @@ class Application(QObject):
     options : how it was started
     """
 
+    ready = Signal()
+    """The tabs are there, and the ports of the last time are being opened."""
+
     def __init__(self, qt: QApplication, options: Options) -> None:
         super().__init__()
         self._qt = qt
         self._options = options
-        self._root = options.root or default_root()
+        self._root = options.root or _default_root()
         self.settings = Settings(options.settings or _settings_path())
         self.messages = Messages(self)
         self.jobs = Jobs(self)
         self.sounds = Sounds(parent=self)
-        self.connection = Connection(self._profiles, self._raw_folder, self.messages, self)
-        self.devices = DevicesPresenter(
-            self.connection, self._profiles, self.jobs, self.messages, self._why_busy, self
-        )
-        self.services = Services(
-            self.connection,
-            self.jobs,
-            self.messages,
-            self.settings,
-            self._profiles,
-            lambda: self._root,
-            self._play,
-        )
         self.tabs: dict[str, Tab] = {}
-        self._rig_panel = None
+        self._made = False
+        self._rig_panel: QWidget | None = None
         look = text_of(self.settings.section("window"), "look", "system")
         self._look = look if look in LOOKS else "system"
         apply_theme(qt, self._look)
-        self.window = MainWindow(self.messages, DevicesView(self.devices))
-        self._connect()
-        self._add_tab(next(iter(TABS)))
+        self.window = MainWindow(self.messages)
+        for title in TABS:
+            self.window.tabs.addTab(QWidget(), title)
         self._restore()
 
     def start(self) -> None:
-        """Show the window; what is slow comes once it stands on the screen."""
+        """Show the empty window; the parts come once it stands on the screen."""
+        self.window.painted.connect(self._make_parts)
         self.window.show()
-        QTimer.singleShot(0, self._after_paint)
 
     def close(self) -> None:
         """Let go of everything; may be called again."""
         for tab in self.tabs.values():
             tab.close()
-        self.connection.close()
+        if self._made:
+            self.connection.close()
         self.jobs.close()
         self.sounds.stop()
         self._remember()
 
     def open_simulated(self, device: str) -> None:
         """Connect to the simulated rig."""
+        from drivers.virtual.address import rig_of
+        from gui.devices.setup import DeviceSetup
+
         url = device if "://" in device else f"sim://{device}"
         try:
             rig = rig_of(url)
@@ -126,22 +116,45 @@ class Application(QObject):
 
     # --- joining ----------------------------------------------------------------------------------
 
+    def _make_parts(self) -> None:
+        """Import and make everything behind the window: numpy, the drivers, the tabs."""
+        from gui.devices.connection import Connection
+        from gui.devices.presenter import DevicesPresenter
+        from gui.devices.setup import setups_of_section
+        from gui.devices.view import DevicesView
+        from gui.services import Services
+
+        self.connection = Connection(self._profiles, self._raw_folder, self.messages, self)
+        self.devices = DevicesPresenter(
+            self.connection, self._profiles, self.jobs, self.messages, self._why_busy, self
+        )
+        self.devices.show_setups(setups_of_section(self.settings.section("devices")))
+        self.window.put_devices(DevicesView(self.devices))
+        self._connect()
+        services = Services(
+            self.connection,
+            self.jobs,
+            self.messages,
+            self.settings,
+            self._profiles,
+            lambda: self._root,
+            self._play,
+        )
+        for place, title in enumerate(TABS):
+            module = cast("TabModule", importlib.import_module(TABS[title]))
+            tab = module.make_tab(services)
+            self.tabs[title] = tab
+            self.window.put_tab(place, tab.widget, title)
+        self._made = True
+        QTimer.singleShot(0, self._after_paint)
+
     def _connect(self) -> None:
         window, connection = self.window, self.connection
         connection.strip.connect(window.strip.render)
         connection.changed.connect(self._on_port)
         connection.properties_wanted.connect(window.devices.open)
         window.strip.device_chosen.connect(connection.select)
-        window.look_chosen.connect(self._on_look)
-        window.sound_switched.connect(self._on_sound)
-        window.closing.connect(self.close)
         self.devices.accepted.connect(self._remember)
-
-    def _add_tab(self, title: str) -> None:
-        module = cast("TabModule", importlib.import_module(TABS[title]))
-        tab = module.make_tab(self.services)
-        self.tabs[title] = tab
-        self.window.tabs.addTab(tab.widget, title)
 
     def _restore(self) -> None:
         section = self.settings.section("window")
@@ -151,14 +164,13 @@ class Application(QObject):
         self.window.show_look(self._look)
         self._on_sound(section.get("sound") is not False)
         self.window.show_sound(self.sounds.volume > 0)
-        self.devices.show_setups(setups_of_section(self.settings.section("devices")))
+        self.window.look_chosen.connect(self._on_look)
+        self.window.sound_switched.connect(self._on_sound)
+        self.window.closing.connect(self.close)
         if self.settings.doubt:
             self.messages.log(Severity.WARNING, self.settings.doubt)
 
     def _after_paint(self) -> None:
-        for title in TABS:
-            if title not in self.tabs:
-                self._add_tab(title)
         for tab in self.tabs.values():
             tab.after_paint()
         setups = self.devices.state.rows
@@ -167,10 +179,14 @@ class Application(QObject):
             self.open_simulated(self._options.simulated)
         elif known and not any(setup.simulated for setup in setups):
             self.connection.open(setups)
+        self.ready.emit()
 
     def _remember(self) -> None:
-        setups = self.connection.setups or self.devices.state.rows
-        self.settings.store("devices", setups_to_section(setups))
+        if self._made:
+            from gui.devices.setup import setups_to_section
+
+            setups = self.connection.setups or self.devices.state.rows
+            self.settings.store("devices", setups_to_section(setups))
         geometry = bytes(self.window.saveGeometry().toHex().data()).decode()
         self.settings.store(
             "window",
@@ -183,7 +199,9 @@ class Application(QObject):
 
     # --- what the parts ask -----------------------------------------------------------------------
 
-    def _profiles(self) -> Mapping[str, Profile]:
+    def _profiles(self) -> "Mapping[str, Profile]":
+        from drivers.profile import load_profiles
+
         try:
             return load_profiles(self._root / "devices")
         except FormatError as error:
@@ -200,7 +218,7 @@ class Application(QObject):
         if not self._options.quiet:
             self.sounds.play(_CUES[cue])
 
-    def _wanted(self) -> tuple[Plan, Step] | None:
+    def _wanted(self) -> "tuple[Plan, Step] | None":
         widget = self.window.tabs.currentWidget()
         shown = (tab for tab in self.tabs.values() if tab.widget is widget)
         tab = next(shown, None)
@@ -240,6 +258,12 @@ def run(options: Options) -> int:
     code = qt.exec()
     application.close()
     return code
+
+
+def _default_root() -> Path:
+    from core.records.session.find import default_root
+
+    return default_root()
 
 
 def _settings_path() -> Path:

@@ -1,9 +1,9 @@
 """The window: device strip, tabs, banner, log; the rig's dock at the right."""
 
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
-from PySide6.QtCore import QEvent, QSize, Qt, Signal
-from PySide6.QtGui import QAction, QActionGroup, QCloseEvent, QKeySequence, QShortcut
+from PySide6.QtCore import QEvent, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QAction, QActionGroup, QCloseEvent, QKeySequence, QPaintEvent, QShortcut
 from PySide6.QtWidgets import (
     QDockWidget,
     QMainWindow,
@@ -15,14 +15,17 @@ from PySide6.QtWidgets import (
 )
 
 from core.errors import Severity
-from core.plans.plan import Plan, Step
-from gui.devices.view import DevicesView
 from gui.messages import Messages
-from gui.services import Services
 from gui.widgets.banner import Banner
 from gui.widgets.device_strip import DeviceStrip
 from gui.widgets.log_drawer import LogDrawer
 from gui.widgets.states import BannerState
+
+if TYPE_CHECKING:
+    # Known to the tabs alone: the empty window is painted before they are imported.
+    from core.plans.plan import Plan, Step
+    from gui.devices.view import DevicesView
+    from gui.services import Services
 
 
 class Tab(Protocol):
@@ -41,7 +44,7 @@ class Tab(Protocol):
         """Why the ports cannot be let go of now; empty if they can."""
         ...
 
-    def wanted(self) -> tuple[Plan, Step] | None:
+    def wanted(self) -> "tuple[Plan, Step] | None":
         """What the operator of the rig has to set now; None for nothing."""
         ...
 
@@ -53,7 +56,7 @@ class Tab(Protocol):
 class TabModule(Protocol):
     """The module of a tab, named in the table of tabs."""
 
-    def make_tab(self, services: Services) -> Tab:
+    def make_tab(self, services: "Services") -> Tab:
         """Build the tab."""
         ...
 
@@ -72,12 +75,14 @@ class MainWindow(QMainWindow):
     look_chosen = Signal(str)
     sound_switched = Signal(bool)
     closing = Signal()
+    painted = Signal()
+    """The window stands on the screen for the first time."""
 
-    def __init__(self, messages: Messages, devices: DevicesView) -> None:
+    def __init__(self, messages: Messages) -> None:
         super().__init__()
         self._messages = messages
+        self._was_painted = False
         self.strip = DeviceStrip()
-        self.devices = devices
         self.tabs = QTabWidget()
         self.tabs.setDocumentMode(True)
         self.banner = Banner()
@@ -110,11 +115,10 @@ class MainWindow(QMainWindow):
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         column.addWidget(self.strip)
-        column.addWidget(self.devices)
         column.addWidget(self.tabs, 1)
         column.addWidget(self.banner)
         column.addWidget(self.log)
-        self.devices.hide()
+        self._column = column
         self.setCentralWidget(centre)
         self.setMinimumSize(QSize(1000, 640))
 
@@ -144,10 +148,26 @@ class MainWindow(QMainWindow):
         self._messages.logged.connect(self.log.append)
         self.banner.action.connect(self._messages.press)
         self.banner.closed.connect(self._messages.dismiss)
+
+    def put_tab(self, place: int, page: QWidget, title: str) -> None:
+        """Put a tab's page where its empty one stood."""
+        current = self.tabs.currentIndex()
+        empty = self.tabs.widget(place)
+        self.tabs.removeTab(place)
+        self.tabs.insertTab(place, page, title)
+        self.tabs.setCurrentIndex(current)
+        if empty is not None:
+            empty.deleteLater()
+
+    def put_devices(self, devices: "DevicesView") -> None:
+        """Put Device Properties below the strip, closed."""
+        self.devices = devices
+        devices.hide()
+        self._column.insertWidget(1, devices)
         self.strip.properties_requested.connect(self.toggle_devices)
-        escape = QShortcut(QKeySequence("Esc"), self.devices)
+        escape = QShortcut(QKeySequence("Esc"), devices)
         escape.setContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
-        escape.activated.connect(self.devices.hide)
+        escape.activated.connect(devices.hide)
 
     def toggle_devices(self) -> None:
         """Open or close Device Properties."""
@@ -187,6 +207,12 @@ class MainWindow(QMainWindow):
                 ),
             ),
         )
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if not self._was_painted:
+            self._was_painted = True
+            QTimer.singleShot(0, self.painted.emit)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         self.closing.emit()

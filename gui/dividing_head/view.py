@@ -1,7 +1,7 @@
 """The dividing-head tab: plan left, stage middle, results right, actions below."""
 
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
-from PySide6.QtGui import QKeySequence, QResizeEvent, QShortcut
+from PySide6.QtGui import QKeySequence, QResizeEvent, QShortcut, QShowEvent
 from PySide6.QtWidgets import (
     QComboBox,
     QFileDialog,
@@ -133,6 +133,8 @@ class HeadView(QWidget):
         self._new.clicked.connect(presenter.new_session)
         undo = QShortcut(QKeySequence(QKeySequence.StandardKey.Undo), self)
         undo.activated.connect(self._on_undo)
+        # A pedal that bounces: Space does nothing while an accumulation runs, wherever the focus is.
+        self._swallow = QShortcut(QKeySequence(Qt.Key.Key_Space), self)
 
     def render(self, state: HeadState) -> None:
         """Show a state."""
@@ -140,6 +142,7 @@ class HeadView(QWidget):
         self.stage.render(state.stage)
         self.steps.render(state.steps)
         self.action_bar.render(state.actions)
+        self._swallow.setEnabled(bool(state.locked.timing))
         self.settings.render(state)
         plans = [
             (self._plan.itemData(i), self._plan.itemText(i)) for i in range(self._plan.count())
@@ -174,6 +177,10 @@ class HeadView(QWidget):
             unit = self.fontMetrics().height()
             self._middle.setSizes([12 * unit, 22 * unit, 30 * unit])
         self._lower.setVisible(wide or not shown)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self.steps.setFocus(Qt.FocusReason.OtherFocusReason)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

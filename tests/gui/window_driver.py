@@ -71,6 +71,7 @@ class Driver:
 
     def answer(self, text: str) -> None:
         """A button of the banner."""
+
         def buttons() -> list[QPushButton]:
             found = self.app.window.banner.findChildren(QPushButton)
             return [b for b in found if b.isVisible() and b.text() == text]
