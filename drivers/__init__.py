@@ -14,7 +14,7 @@ transport, ports, scan, commands
     pyserial, and who is at the other end.
 reader, linkrate
     The one thread of a port, and the rate of its samples.
-framing, rawlog, recorder, recording
+framing, rawlog, recorder, recording, records
     Files of checked blocks; in them the bytes of a link and, in a record, its samples.
 virtual
     The simulated rig: ``sim://`` and a process behind a pty; recordings as ``replay://``.

@@ -122,6 +122,10 @@ class Recorder:
         self._text = text
         self._queue: SimpleQueue[_Bytes | _Note | _Turn | Event] = SimpleQueue()
         self._held = False
+        self.first: int | None = None
+        """Number of the first sample taken since the start or the last `go_on`."""
+        self.next = 0
+        """Number after the last sample taken."""
         self._bytes: list[_Bytes] = []
         self._blocks: list[SampleBlock] = []
         self._counts: Counter[str] = Counter()
@@ -139,8 +143,13 @@ class Recorder:
 
     def say(self, event: Event) -> None:
         """An event; samples, losses and interruptions are kept."""
-        if not self._held:
-            self._queue.put(event)
+        if self._held:
+            return
+        if isinstance(event, SampleBlock) and len(event.index):
+            if self.first is None:
+                self.first = int(event.index[0])
+            self.next = int(event.index[-1]) + 1
+        self._queue.put(event)
 
     # For any thread.
 
@@ -174,6 +183,7 @@ class Recorder:
         """Go on after `hold`; what came meanwhile is a gap."""
         if self._held:
             self._queue.put(_Note("resumed", {}))
+            self.first = None
             self._held = False
 
     def flush(self, seconds: float = _JOIN_S) -> bool:

@@ -9,11 +9,10 @@ import argparse
 from pathlib import Path
 
 from core.errors import FormatError
-from core.records.cvgcom import is_cvgcom, read_cvgcom
 from core.records.cvgcom_name import CvgcomName
-from core.records.means import RecordMean, mean_of, means_run, write_means
+from core.records.means import RecordMean, means_run, write_means
 from core.records.run_file import write_run
-from drivers.recording import SUFFIX, read_recording
+from drivers.records import open_record, record_means, records_in
 from gui.commands.answer import Answer
 
 
@@ -35,7 +34,7 @@ def run(args: argparse.Namespace) -> Answer:
     means = [
         mean
         for path in records_in(args.folder)
-        for mean in means_of_record(path, intervals or [None])
+        for mean in record_means(open_record(path), intervals or [None])
     ]
     files = [*write_means(means, args.folder)]
     if args.run is not None:
@@ -51,47 +50,6 @@ def run(args: argparse.Namespace) -> Answer:
         files.append(args.run)
     data = {"files": files, "means": [_plain(one) for one in means]}
     return Answer(data, "\n".join([*map(_line, means), *map(str, files)]))
-
-
-def records_in(folder: Path) -> list[Path]:
-    """Records of a folder in the order of their experiments.
-
-    Raises
-    ------
-    FormatError
-        The folder cannot be read, or holds no records.
-    """
-    try:
-        files = sorted(folder.iterdir())
-    except OSError as error:
-        raise FormatError(folder, f"cannot be read: {error.strerror}") from error
-    recorded = {path.stem for path in files if path.suffix == SUFFIX}
-    found = [
-        path
-        for path in files
-        if path.suffix == SUFFIX or (path.stem not in recorded and is_cvgcom(path))
-    ]
-    if not found:
-        raise FormatError(folder, "holds no records of CVGCom and no recordings")
-    return sorted(found, key=_experiment)
-
-
-def means_of_record(path: Path, intervals: list[tuple[float, float] | None]) -> list[RecordMean]:
-    """Means of the intervals of one record; None is the whole of it."""
-    if path.suffix == SUFFIX:
-        record = read_recording(path)
-        index, data = record.samples()
-        channels, rate = record.channels, record.rate
-    else:
-        text = read_cvgcom(path)
-        data, channels, rate = text.data, text.head.channels, text.head.rate
-        index = text.numbers()
-    return [mean_of(path.name, channels, index, data, rate, part) for part in intervals]
-
-
-def _experiment(path: Path) -> tuple[int, str]:
-    name = CvgcomName.parse(path.name)
-    return (0 if name is None else name.experiment, path.name)
 
 
 def _device(means: list[RecordMean]) -> str:

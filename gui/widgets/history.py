@@ -132,6 +132,22 @@ class History:
             return float(pyramid.raw(number - first, number - first + 1)[0])
         return np.nan
 
+    def samples(self, start: int, stop: int) -> tuple[IntArray, FloatArray]:
+        """Return the samples numbered start to stop, without stop: numbers (n,), data (n, c)."""
+        numbers: list[IntArray] = [np.empty(0, dtype=np.int64)]
+        rows: list[FloatArray] = [np.empty((0, len(self.channels)))]
+        columns = [
+            list(self._pieces(channel, start, stop)) for channel in range(len(self.channels))
+        ]
+        for piece in zip(*columns, strict=True):
+            first, pyramid = piece[0]
+            begin, finish = max(start, first), min(stop, first + len(pyramid))
+            data = np.stack([one.raw(begin - first, finish - first) for _, one in piece], axis=1)
+            came = ~np.isnan(data).all(axis=1)
+            numbers.append(np.arange(begin, finish)[came])
+            rows.append(data[came])
+        return np.concatenate(numbers), np.concatenate(rows)
+
     def extremes(self, channel: int, start: int, stop: int) -> tuple[float, float]:
         """Return least and greatest of samples start to stop; NaN where there is none."""
         found = [

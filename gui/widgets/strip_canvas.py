@@ -63,6 +63,7 @@ class StripCanvas(QWidget):
         self.intervals: Sequence[Interval] = ()
         self.marks: Sequence[Mark] = ()
         self.selecting = False
+        self.crosshair = True
         self.cursor_a: float | None = None
         self.cursor_b: float | None = None
         self.hover: float | None = None
@@ -250,7 +251,7 @@ class StripCanvas(QWidget):
             self.set_cursors(at, self.cursor_b)
         elif self._drag is _Drag.CURSOR_B:
             self.set_cursors(self.cursor_a, at)
-        self.hover = at if inside else None
+        self.hover = at if inside and self.crosshair else None
         self.hover_changed.emit()
         self.update()
 

@@ -140,6 +140,13 @@ class StripCharts(QWidget):
         self._canvas.selecting = on
         self._canvas.setCursor(Qt.CursorShape.IBeamCursor if on else Qt.CursorShape.ArrowCursor)
 
+    def set_crosshair(self, on: bool) -> None:
+        """Draw a line through all charts under the pointer, and show the values there."""
+        self._canvas.crosshair = on
+        if not on:
+            self._canvas.hover = None
+            self._canvas.update()
+
     def set_intervals(self, intervals: Sequence[Interval]) -> None:
         """Shade stretches of time."""
         self._canvas.intervals = tuple(intervals)
