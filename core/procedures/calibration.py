@@ -65,8 +65,11 @@ class Calibration:
     @property
     def is_triad(self) -> bool:
         """Whether the sensors are three, one along each axis, with all responses known."""
-        complete = all(len(fit.values) >= 4 for fit in self.fits)
-        return sorted(self.axes) == list(AXES) and complete
+        responses = [
+            sum(name == "scale_factor" or name.startswith("cross_axis") for name in fit.names)
+            for fit in self.fits
+        ]
+        return sorted(self.axes) == list(AXES) and responses == [len(AXES)] * len(AXES)
 
     def triad(self) -> Triad:
         """The sensors as one.

@@ -204,3 +204,9 @@ def test_the_result_answers_by_name_and_exports():
 def test_what_cannot_be_fitted_is_refused_in_words(run: Run, conditions: Conditions, says: str):
     with pytest.raises(FitError, match=says):
         fit_g_sensitivity(run, conditions)
+
+
+def test_g_sensitivity_alone_makes_no_triad():
+    y = np.random.default_rng(2).normal(size=(8, 3))
+    found = fit_g_sensitivity(run_of(y, axes=("x", "y", "z")), NOWHERE)
+    assert not found.calibration().is_triad
