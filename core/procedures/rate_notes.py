@@ -18,6 +18,7 @@ _UNITS = ((DEG_PER_RAD, "rad/s"), (DPH_PER_DPS, "deg/h"), (6.0, "rpm"))
 _NEAR = 0.05
 _FAR = 0.1
 _COMMON = 0.8
+_WARM_C = 5.0
 
 
 def sensor_notes(
@@ -87,6 +88,17 @@ def table_notes(residuals: Sequence[tuple[FloatArray, IntArray, tuple[Term, ...]
             " weighs",
         )
     ]
+
+
+def temperature_notes(known: FloatArray) -> list[Note]:
+    """Rows at different temperatures, in degC, that one line was laid through."""
+    if not known.size or np.ptp(known) <= _WARM_C:
+        return []
+    text = (
+        f"the rows are from {known.min():.0f} to {known.max():.0f} degC, and one line went through"
+        " all of them; fit each temperature on its own"
+    )
+    return [Note(Severity.WARNING, "temperature_varies", text)]
 
 
 def _bent(

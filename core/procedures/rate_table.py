@@ -37,7 +37,7 @@ from core.procedures.characteristic import (
     threshold,
 )
 from core.procedures.rate_faults import examine
-from core.procedures.rate_notes import sensor_notes, table_notes
+from core.procedures.rate_notes import sensor_notes, table_notes, temperature_notes
 from core.samples.run import Conditions, Run
 
 PROCEDURE = "gyros on the rate table, practicum (3.4) to (3.6)"
@@ -213,6 +213,7 @@ def calibrate_rate_table(
     sensors.sort(key=lambda sensor: run.channels.index(sensor.channel))
     notes.extend(table_notes([(s.residuals_dps, s.line.rows, s.bends) for s in sensors]))
     known = run.temperature_c[np.isfinite(run.temperature_c)]
+    notes.extend(temperature_notes(known))
     return RateTable(
         device=run.device,
         unit=run.unit,

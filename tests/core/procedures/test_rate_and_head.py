@@ -185,7 +185,7 @@ def test_intervals_cover_the_truth_of_a_three_axis_gyro(slip: float, stated: boo
     conditions = Conditions(
         g_mps2=G, latitude_deg=LATITUDE, rate_u_dps=slip if stated else float("nan")
     )
-    trials = 500
+    trials = 1500
     inside = {axis: dict.fromkeys(TRUTH[axis], 0) for axis in "xyz"}
     for _ in range(trials):
         table = table_run(rng.normal(0.0, slip, 21), rng.normal(0.0, noise, (21, 3)), noise)
@@ -198,6 +198,4 @@ def test_intervals_cover_the_truth_of_a_three_axis_gyro(slip: float, stated: boo
                 error = sensor.fit.value(name) - TRUTH[sensor.axis][name]
                 inside[sensor.axis][name] += abs(error) < half
     shares = np.array([[count / trials for count in inside[axis].values()] for axis in "xyz"])
-    assert 0.935 < shares.mean() < 0.965, shares
-    # 500 trials scatter by 1 %: no single parameter may fall out of three of that around 93-97.
-    assert np.all((shares > 0.91) & (shares < 0.985)), shares
+    assert np.all((shares > 0.93) & (shares < 0.97)), shares

@@ -4,7 +4,7 @@ import numpy as np
 
 from core.fit.estimate import Estimate
 from core.procedures.characteristic import Term
-from core.procedures.rate_notes import table_notes
+from core.procedures.rate_notes import table_notes, temperature_notes
 
 ROWS = np.arange(11)
 
@@ -43,3 +43,11 @@ def test_two_sensors_or_other_rows_are_no_crowd():
     mixed = [(first, ROWS, straight()), *((e, ROWS + 1, straight()) for e in rest)]
     assert table_notes(mixed) == []
     assert table_notes([]) == []
+
+
+def test_mixed_temperatures_are_said():
+    (note,) = temperature_notes(np.array([-40.0, 27.0, 70.0]))
+    assert note.subject == "temperature_varies"
+    assert "-40 to 70 degC" in note.text
+    assert temperature_notes(np.array([25.0, 27.0])) == []
+    assert temperature_notes(np.array([])) == []
