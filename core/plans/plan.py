@@ -15,7 +15,7 @@ from core.arrays import FloatArray
 from core.errors import FormatError
 from core.plans.orientation import LEVEL, BaseOrientation, Mount, earth_rate, specific_force
 
-TESTS = ("dividing_head", "rate_table", "static_positions", "accuracy", "record")
+TESTS = ("dividing_head", "rate_table", "static_positions", "accuracy", "record", "headings")
 
 
 @dataclass(frozen=True, slots=True)

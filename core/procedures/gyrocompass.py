@@ -193,7 +193,7 @@ def run_of_headings(
     n = len(rates)
     unknown = np.full(n, np.nan)
     return Run(
-        test="static_positions",
+        test="headings",
         sensor="gyro",
         device=device,
         channels=("w",),

@@ -46,6 +46,7 @@ NEEDED: dict[str, tuple[str, ...]] = {
     "rate_table": ("set_rate_dps",),
     "accuracy": (),
     "record": ("t_s",),
+    "headings": ("head_deg",),
 }
 """Columns besides the outputs that a run of each test must have."""
 

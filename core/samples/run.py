@@ -50,8 +50,8 @@ class Run:
 
     Parameters
     ----------
-    test : ``"dividing_head"``, ``"static_positions"``, ``"rate_table"``, ``"accuracy"`` or
-        ``"record"``
+    test : ``"dividing_head"``, ``"static_positions"``, ``"rate_table"``, ``"accuracy"``,
+        ``"record"`` or ``"headings"`` (of a level base, `head_deg` clockwise from above)
     sensor : ``"accelerometer"`` or ``"gyro"``
     device : name or serial number
     channels : (c,) names of the outputs
