@@ -12,12 +12,19 @@ KYIV_G_MPS2 = 9.8106
 
 
 def add_conditions(parser: argparse.ArgumentParser) -> None:
-    """Add g, its uncertainty, the uncertainty of the head and the repeatability."""
+    """Add g, latitude, the uncertainties of head and table, and the repeatability."""
     group = parser.add_argument_group("what the laboratory states")
     group.add_argument("--g", type=float, metavar="M/S2", help="local gravity (9.8106, Kyiv)")
     group.add_argument("--u-g", type=float, metavar="M/S2", help="its standard uncertainty")
     group.add_argument(
         "--head-u", type=float, metavar="ARCSEC", help="standard uncertainty of a head setting"
+    )
+    group.add_argument("--latitude", type=float, metavar="DEG", help="for the rate of the Earth")
+    group.add_argument(
+        "--rate-u-ppm", type=float, metavar="PPM", help="standard uncertainty of a set rate"
+    )
+    group.add_argument(
+        "--rate-u-dps", type=float, metavar="DPS", help="the same, its absolute part"
     )
     group.add_argument(
         "--repeatability",
@@ -39,6 +46,9 @@ def conditions_of(args: argparse.Namespace, known: Conditions) -> tuple[Conditio
         "g_mps2": args.g,
         "u_g_mps2": args.u_g,
         "head_u_arcsec": args.head_u,
+        "latitude_deg": args.latitude,
+        "rate_u_ppm": args.rate_u_ppm,
+        "rate_u_dps": args.rate_u_dps,
         "repeatability": np.nan if args.repeatability is None else args.repeatability,
     }
     conditions = replace(

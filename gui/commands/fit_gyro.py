@@ -1,8 +1,9 @@
 """Gyros on the rate table and on the head, for ``calrig fit``."""
 
-from core.procedures.g_sensitivity import GSensor, fit_g_sensitivity
+from core.procedures.g_sensitivity import GSensitivity, GSensor, fit_g_sensitivity
+from core.procedures.rate_and_head import fit_rate_and_head
 from core.procedures.rate_table import RateSensor, calibrate_rate_table
-from core.procedures.two_files import calibrated_by_3_10, compare_runs
+from core.procedures.two_files import Table37, calibrated_by_3_10, compare_runs
 from gui.commands.fitted import Fitted, estimate_text, note_lines
 
 
@@ -59,7 +60,32 @@ def fit_positions(fitted: Fitted) -> None:
                     table_run, on_table, head, sensor, same_unit=fitted.same_unit
                 )
     fitted.say(*note_lines(found.notes, "  "))
-    fitted.give(g_sensitivity=found, table_3_7=tables)
+    together = any(isinstance(table, Table37) for table in tables.values())
+    fitted.give(
+        g_sensitivity=found,
+        table_3_7=tables,
+        joint=_joint(fitted) if together else None,
+    )
+
+
+def _joint(fitted: Fitted) -> GSensitivity | None:
+    """Table and head of one unit in one model, (3.3)."""
+    if fitted.rates is None:
+        return None
+    found = fit_rate_and_head(
+        fitted.rates[0], fitted.run, fitted.conditions, same_unit=fitted.same_unit
+    )
+    fitted.say(f"  table and head together: {found.procedure}")
+    for sensor in found.sensors:
+        rows = zip(sensor.fit.parameters, sensor.fit.values, sensor.fit.expanded(), strict=True)
+        fitted.say(
+            f"  {sensor.channel}, axis {sensor.axis.upper()}",
+            *(
+                f"    {p.symbol:<8} {value:>14.8g} +- {u:.2g} {p.unit}  (95 %)"
+                for p, value, u in rows
+            ),
+        )
+    return found
 
 
 def _of_head(sensor: GSensor) -> list[str]:

@@ -96,6 +96,9 @@ def test_fit_gives_the_gyro_tables_and_refuses_to_mix_two_units(
     forced = answer(["fit", str(TABLE_3_2), str(TABLE_3_3), "--same-unit"], tmp_path / "p.json")
     error = forced["results"][1]["table_3_7"]["gyro_1"]["error"]
     np.testing.assert_allclose(error[:3], [-3.5027444, -3.5141248, -3.5372212], atol=2e-3)
+    assert head["joint"] is None
+    (joint,) = forced["results"][1]["joint"]["sensors"]
+    assert {"bias", "scale_factor"} <= {p["name"] for p in joint["fit"]["parameters"]}
 
 
 def test_accuracy_stands_beside_the_units_own_and_judges(tmp_path: Path) -> None:
