@@ -154,7 +154,7 @@ class Measuring:
     def set_hands_free(self, on: bool) -> None:
         """Start or stop recognising and accumulating without the operator."""
         self._hands_free = on
-        if self._phase is not Phase.MEASURING:
+        if self._phase not in (Phase.MEASURING, Phase.FINISHED):
             self._wait()
 
     def choose(self, number: int) -> None:
@@ -169,12 +169,15 @@ class Measuring:
 
     def cancel(self) -> None:
         """Give up the accumulation that runs."""
-        self._give_up()
+        if self._phase is not Phase.FINISHED:
+            self._give_up()
 
     def interrupted(self) -> None:
-        """The link broke: what was being accumulated is incomplete and is given up."""
-        self._still.reset()
-        self._give_up()
+        """The link broke: what was being accumulated is incomplete and is given up.
+
+        What came before stays in the window of stillness, so that a turn meanwhile is seen.
+        """
+        self.cancel()
 
     def feed(self, block: SampleBlock) -> Outcome | None:
         """Take samples; return an outcome when an accumulation is full."""
@@ -183,6 +186,8 @@ class Measuring:
         self._still.feed(block)
         if self._accumulator is not None:
             return self._finish() if self._accumulator.feed(block) else None
+        if self._still.full and not self._still.at_rest:
+            self._at_step = None
         if self._hands_free and self._phase is not Phase.FINISHED:
             self._watch(len(block.index))
         return None
@@ -218,7 +223,7 @@ class Measuring:
         self._done.discard(place)
         self._place = place
         self._at_step = None
-        self._wait()
+        self._give_up()
 
     def _advance(self, place: int) -> None:
         order = [*range(place + 1, len(self._steps)), *range(place + 1)]
@@ -250,7 +255,6 @@ class Measuring:
         if not self._still.at_rest:
             self._phase = Phase.MOVING
             self._settled = 0
-            self._at_step = None
         elif self._phase is Phase.SETTLING:
             self._settled += samples
             if self._settled >= self._settle_samples:

@@ -203,3 +203,60 @@ def test_a_resumed_session_knows_what_was_accepted() -> None:
     walk.start()
     (outcome,) = run(walk, head.rest(3.5))  # still in position 1
     assert "looks like position 1" in outcome.recognition.text
+
+
+@pytest.mark.parametrize("act", ["interrupted", "cancel", "hands_free"])
+def test_what_is_finished_stays_finished(act: str) -> None:
+    walk, head = a_walk(), Head()
+    for step in STEPS:
+        walk.restore(step.number, step.specific_force(G) @ K.T - 378.0)
+    if act == "hands_free":
+        walk.set_hands_free(True)
+    else:
+        getattr(walk, act)()
+    assert walk.status.phase is Phase.FINISHED
+    walk.set_hands_free(True)
+    assert run(walk, head.turn(STEPS[-1])) == []
+    assert run(walk, head.rest(6.0)) == []
+
+
+def test_hands_free_after_a_turn_by_hand_measures_where_the_unit_stands() -> None:
+    walk, head = a_walk(), Head()
+    walk.start()
+    run(walk, head.rest(3.5))
+    run(walk, head.turn(STEPS[1]))
+    run(walk, head.rest(2.0))
+    walk.set_hands_free(True)
+    (outcome,) = run(walk, head.rest(6.0))
+    assert outcome.step == STEPS[1]
+
+
+def test_a_turn_while_the_link_was_broken_is_seen() -> None:
+    walk, head = a_walk(), Head()
+    walk.set_hands_free(True)
+    run(walk, head.rest(6.0))
+    walk.interrupted()
+    list(head.turn(STEPS[1]))
+    (outcome,) = run(walk, head.rest(7.0))
+    assert outcome.step == STEPS[1]
+
+
+def test_a_broken_link_does_not_measure_the_same_place_again() -> None:
+    walk, head = a_walk(), Head()
+    walk.set_hands_free(True)
+    run(walk, head.rest(6.0))
+    walk.interrupted()
+    assert run(walk, head.rest(7.0)) == []
+    assert walk.status.phase is Phase.TURN
+
+
+def test_reopening_gives_up_what_is_being_accumulated_for_another_step() -> None:
+    walk, head = a_walk(), Head()
+    walk.start()
+    run(walk, head.rest(3.5))
+    run(walk, head.turn(STEPS[1]))
+    walk.start()
+    run(walk, head.rest(1.0))
+    walk.reopen(STEPS[0].number)
+    assert walk.status.progress == 0.0
+    assert run(walk, head.rest(4.0)) == []
