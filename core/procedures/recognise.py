@@ -24,6 +24,8 @@ _CROSS = 0.08
 """Cross-axis sensitivity of a sensor whose nominal axis is known: up to some 10 degrees."""
 _NOMINAL_K = 0.05
 _NOMINAL_BIAS = 0.05
+_DRIVEN = 0.5
+"""Share of full input along its axis by which a sensor shows what full output is."""
 _IMPLAUSIBLE = 5.0
 """Standard deviations of the worst channel beyond which the chosen position is doubted."""
 _TIED = 3.0
@@ -101,6 +103,7 @@ class Expectation:
         self, full_input: float, axes: tuple[str, ...], nominal: Nominal | None = None
     ) -> None:
         self._full = full_input
+        self._axes = axes
         self._nominal = nominal
         self._sd = np.array([_prior_sd(axis, nominal is not None) for axis in axes])
         self._inputs: list[FloatArray] = []
@@ -164,6 +167,8 @@ class Expectation:
         labels : (m,) how the operator calls them, e.g. ``"position 3 (180 deg)"``
         chosen : place of the position that the operator chose
         """
+        if not self._scale_shows(inputs[chosen]):
+            return Recognition(Verdict.CANNOT_TELL, (), "")
         scale = self._scale(outputs)
         fit = self._score(outputs, inputs, scale)
         if fit.distance[chosen] < _IMPLAUSIBLE:
@@ -198,6 +203,17 @@ class Expectation:
             return Recognition(Verdict.OTHER_POSITION, same, _looks_like(labels, same, chosen))
         known = fit.doubt[chosen] < 0.3
         return Recognition(Verdict.FITS if known else Verdict.CANNOT_TELL, same, "")
+
+    def _scale_shows(self, chosen: FloatArray) -> bool:
+        """Whether full output is known, or shows if the chosen input (3,) is the true one.
+
+        Sensors across the input give their bias alone, which says nothing of their scale.
+        """
+        if self._nominal is not None or "" in self._axes:
+            return True
+        looked_at = ["xyz".index(axis) for axis in self._axes]
+        largest = np.abs(np.array([*self._inputs, chosen]))[:, looked_at].max()
+        return bool(largest >= _DRIVEN * self._full * (1.0 - 1e-9))
 
     def _scale(self, outputs: FloatArray) -> FloatArray:
         """Output (c,) at full input: nominal where known, else the largest seen by any channel."""

@@ -109,3 +109,18 @@ def test_fifteen_degree_steps_are_told_apart() -> None:
     found = expectation.recognise(outputs[4], inputs, labels, 3)
     assert found.text == "this looks like 60 deg, not 45 deg"
     assert expectation.recognise(outputs[3], inputs, labels, 3).acceptable
+
+
+@pytest.mark.parametrize("axes", [("x",), ("y",), ("x", "y")])
+def test_sensors_that_begin_across_gravity_are_not_accused(axes: tuple[str, ...]) -> None:
+    """Level sensors give their bias alone, which looks like full output until more is known."""
+    k = np.array([[-1335.0, -12.8, -72.6], [35.7, -1338.8, 11.7]])
+    chosen = ["xy".index(axis) for axis in axes]
+    outputs = (INPUTS @ k.T + [-1378.0, 995.0])[:, chosen]
+    expectation = Expectation(G, axes)
+    for place in range(8):
+        found = expectation.recognise(outputs[place], INPUTS, LABELS, place)
+        assert found.acceptable, found.text
+        expectation.learn(INPUTS[place], outputs[place])
+    along, across = (5, 4) if "x" in axes else (1, 0)
+    assert not expectation.recognise(outputs[along], INPUTS, LABELS, across).acceptable
