@@ -40,6 +40,8 @@ def standard_error(
     se, dof = np.empty(c), np.empty(c)
     for column in range(c):
         x = data[:, column] - data[:, column].mean()
+        # The mean of equal numbers need not be that number, to the last bit.
+        x = x if np.ptp(data[:, column]) > 0.0 else np.zeros_like(x)
         variance, dof[column] = _over_scales(x)
         error = np.sqrt(variance)
         if integer_codes[column] and x.std() < 0.5 and np.all(data[:, column] % 1.0 == 0.0):

@@ -65,3 +65,8 @@ def test_noise_that_dithers_the_codes_has_no_floor() -> None:
     se, dof = standard_error(data, [True])
     assert se[0] == pytest.approx(4.0 / np.sqrt(4000), rel=0.1)
     assert dof[0] > 300
+
+
+def test_a_number_that_the_mean_cannot_hold_has_no_error_of_its_own() -> None:
+    se, _ = standard_error(np.full((100, 1), 0.1), [False])
+    assert se[0] == 0.0
