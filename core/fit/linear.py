@@ -13,7 +13,7 @@ Measured coverage of the 95 % intervals: 94 to 96 % where the standard errors ar
 residuals beside stated setting errors (the more, the less the residuals show).
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -110,7 +110,10 @@ def fit_design(design: Design, rows: Rows, conditions: Conditions) -> FitResult:
         [inverse.T * error[:, None] for error in settings]
         + [_gravity_response(model, stimulus, state.solution, conditions).T]
     ).T
-    return _result(design, rows, shared, state)
+    result = _result(design, rows, shared, state)
+    if state.parts.known and not result.dof and np.isnan(repeatability):
+        result = replace(result, notes=(*result.notes, _no_check(len(rows.y))))
+    return result
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -244,6 +247,15 @@ def _gravity_response(
     change = model.design(stimulus.scaled_force(1.0 + step)) - model.design(stimulus)
     slope = -solution.inverse @ (change @ solution.values) / step
     return (slope * conditions.u_g_mps2 / conditions.g_mps2)[:, None]
+
+
+def _no_check(n: int) -> Note:
+    return Note(
+        Severity.WARNING,
+        "no_check",
+        f"{n} rows for {n} parameters leave no residual that could show the drift between"
+        " accumulations, and the intervals do not allow for it; repeat positions",
+    )
 
 
 def _no_uncertainty(n: int) -> Note:

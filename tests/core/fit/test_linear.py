@@ -137,6 +137,14 @@ def test_as_many_rows_as_parameters_have_no_uncertainty():
     assert [note.subject for note in fit.notes] == ["no_uncertainty"]
 
 
+def test_an_unknown_drift_that_no_residual_can_show_is_told():
+    rates = np.array([-50.0, 50.0])
+    rows = Rows.of(3.0 + 2.0 * rates, np.ones(2))
+    fit = fit_sensor(gyro(), table(rates), rows, Conditions(repeatability=np.nan))
+    assert fit.u("bias") == pytest.approx(np.sqrt(0.5))
+    assert [note.subject for note in fit.notes] == ["no_check"]
+
+
 def test_two_rates_with_known_errors_have_an_uncertainty_and_no_test():
     rates = np.array([-50.0, 50.0])
     fit = fit_sensor(gyro(), table(rates), Rows.of(2.0 * rates, np.array([0.3, 0.4])), NOTHING)
