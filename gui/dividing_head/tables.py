@@ -8,6 +8,7 @@ import numpy as np
 from core.arrays import FloatArray
 from core.fit.quantiles import student_t
 from core.fit.result import FitResult
+from core.model.effect import AXES
 from core.model.stimulus import stimulus_of
 from core.plans.orientation import BaseOrientation
 from core.procedures.attitude import attitude
@@ -51,16 +52,16 @@ def matrices(calibration: Calibration) -> tuple[tuple[MatrixState, ...], ...]:
     if not calibration.is_triad:
         return ()
     triad = calibration.triad()
-    factors = np.array([[student_t(_LEVEL, float(dof))] for dof in triad.t_dof])
+    half = _half_widths(calibration)
     unit = calibration.unit
-    q, u_q = triad.q, factors.max() * triad.u_q()
+    q, u_q = triad.q, student_t(_LEVEL, float(triad.t_dof.min())) * triad.u_q()
     power = int(np.floor(np.log10(np.abs(q).max())))
     return (
         (
-            MatrixState("K =", _cells(triad.k, factors * triad.u_k()), f"{unit}/(m/s²)"),
+            MatrixState("K =", _cells(triad.k, half[:, 1:]), f"{unit}/(m/s²)"),
             MatrixState(
                 "U0 =",
-                _cells(triad.bias[:, None], factors * triad.u_bias()[:, None]),
+                _cells(triad.bias[:, None], half[:, :1]),
                 unit,
                 "U = K·a + U0   (2.2)",
             ),
@@ -74,6 +75,17 @@ def matrices(calibration: Calibration) -> tuple[tuple[MatrixState, ...], ...]:
             ),
         ),
     )
+
+
+def _half_widths(calibration: Calibration) -> FloatArray:
+    """95 % half widths (3, 4) of (U0_i, K_ix, K_iy, K_iz), those of the table of parameters."""
+    rows: list[list[float]] = []
+    for axis in AXES:
+        fit = calibration.fits[calibration.axes.index(axis)]
+        half = dict(zip(fit.names, fit.expanded(_LEVEL).tolist(), strict=True))
+        own = ("scale_factor" if other == axis else f"cross_axis_{other}" for other in AXES)
+        rows.append([half["bias"], *(half[name] for name in own)])
+    return np.array(rows)
 
 
 def residuals(calibration: Calibration, run: Run) -> ResidualState:
