@@ -59,14 +59,6 @@ class Link:
 
     def _open_log(self, folder: Path) -> RawLog | None:
         stem = f"{datetime.now():%Y%m%d-%H%M%S}_{safe_name(self.setup.name)}"
-        header = {
-            "device": self.setup.name,
-            "port": self.setup.url,
-            "baud": self.setup.baud,
-            "profile": self.profile.id,
-            "profile_text": self.profile.text,
-            "software": SOFTWARE,
-        }
         try:
             folder.mkdir(parents=True, exist_ok=True)
             path = folder / f"{stem}{RAW_SUFFIX}"
@@ -74,12 +66,24 @@ class Link:
                 if not path.exists():
                     break
                 path = folder / f"{stem}_{count}{RAW_SUFFIX}"
-            return RawLog(path, header)
+            return RawLog(path, self.header)
         except OSError as error:
             self.raw_doubt = StorageError(f"{folder}: cannot be made ({error.strerror})")
         except StorageError as error:
             self.raw_doubt = error
         return None
+
+    @property
+    def header(self) -> dict[str, object]:
+        """What a record of this device begins with."""
+        return {
+            "device": self.setup.name,
+            "port": self.setup.url,
+            "baud": self.setup.baud,
+            "profile": self.profile.id,
+            "profile_text": self.profile.text,
+            "software": SOFTWARE,
+        }
 
     @property
     def raw_path(self) -> Path | None:
