@@ -6,6 +6,7 @@ app               makes every part and joins them; the table of tabs
 main_window       device strip, tabs, banner, log, the rig's dock
 commands          the subcommands of ``calrig``; no Qt
 dividing_head     accelerometers on the dividing head: ClbAcc and Pointer
+live              watching and recording: CVGCom
 rig               the dock of the simulated rig
 services          what every tab is given
 devices           which devices at which ports, and the links to them

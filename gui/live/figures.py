@@ -1,0 +1,75 @@
+"""Statistics between the cursors, and means of intervals and records, as tables."""
+
+import math
+
+from PySide6.QtCore import QCoreApplication
+
+from core.records.means import RecordMean
+from gui.live.trace import Trace
+from gui.widgets.number_text import fixed, significant, value_and_uncertainty
+from gui.widgets.states import TableState
+
+_DIGITS, _FEW = 8, 4
+
+
+def _say(text: str) -> str:
+    return QCoreApplication.translate("LiveFigures", text)
+
+
+def cursor_table(trace: Trace, shown: list[int], a: float | None, b: float | None) -> TableState:
+    """Mean, sigma, extremes and slope of every shown channel between A and B.
+
+    Parameters
+    ----------
+    trace : the samples
+    shown : numbers of the channels
+    a, b : times of the cursors, s; None where one is not set
+    """
+    header = tuple(
+        map(_say, ("Channel", "Unit", "n", "Mean", "σ", "Min", "Max", "Max − Min", "Slope, 1/s"))
+    )
+    if a is None or b is None:
+        hint = _say("Click into the charts for cursor A, Shift+click for B.")
+        return TableState(_say("Between the cursors"), hint, header, (), 2)
+    start, stop = sorted((a, b))
+    history = trace.history
+    first, end = history.number(start), history.number(stop) + 1
+    rows: list[tuple[str, ...]] = []
+    for channel in shown:
+        found = history.statistics(channel, first, end)
+        described = history.channels[channel]
+        rows.append(
+            (
+                described.name,
+                described.unit,
+                str(found.count),
+                _number(found.mean, _DIGITS),
+                _number(found.sigma, _FEW),
+                _number(found.low, _DIGITS),
+                _number(found.high, _DIGITS),
+                _number(found.high - found.low, _FEW),
+                _number(found.slope, _FEW),
+            )
+        )
+    times = f"A = {fixed(a, 3)} s   B = {fixed(b, 3)} s   B − A = {fixed(b - a, 3)} s"
+    return TableState(_say("Between the cursors"), times, header, tuple(rows), 2)
+
+
+def mean_table(means: list[RecordMean]) -> TableState:
+    """Means of records or intervals with their standard errors."""
+    channels = max((one.channels for one in means), key=len, default=())
+    header = (_say("Record"), "n", *(f"{c.name}, {c.unit}".rstrip(", ") for c in channels))
+    rows: list[tuple[str, ...]] = []
+    for one in means:
+        cells = [
+            " ± ".join(value_and_uncertainty(float(mean), float(se)))
+            for mean, se in zip(one.mean, one.se, strict=True)
+        ]
+        cells += [""] * (len(channels) - len(cells))
+        rows.append((one.record, str(one.n), *cells))
+    equation = _say("mean ± its standard error, which respects correlated noise")
+    return TableState(_say("Means"), equation, header, tuple(rows), 1)
+
+
+def _number(value: float, digits: int) -> str:
+    return "—" if math.isnan(value) else significant(value, digits)

@@ -1,0 +1,198 @@
+"""The record on the disk: started, stopped, resumed, discarded."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+
+from core.errors import FormatError, LabError, StorageError
+from core.records.cvgcom import CvgcomHead
+from core.records.cvgcom_name import SUFFIX as TEXT_SUFFIX
+from core.records.cvgcom_name import folder_of, next_name
+from core.records.cvgcom_writer import CvgcomWriter
+from core.records.names import safe_name
+from core.samples.block import Channel
+from drivers.recorder import Recorder, RecordLayout, wire_item
+from drivers.recording import SUFFIX
+from gui.devices.link import Link
+from gui.jobs import Jobs
+from gui.live.settings import LiveSettings
+from gui.messages import Messages
+
+DISCARDED = "discarded"
+SOURCE = "record"
+
+
+class Keeper(QObject):
+    """One record at a time.
+
+    Parameters
+    ----------
+    root : returns the folder of all sessions
+    jobs : moves what is discarded, after its file is closed
+    messages : where troubles are told
+    """
+
+    discarded = Signal(str)
+    """Name of a record that was put aside."""
+
+    def __init__(
+        self,
+        root: Callable[[], Path],
+        jobs: Jobs,
+        messages: Messages,
+        parent: QObject | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._root = root
+        self._jobs = jobs
+        self._messages = messages
+        self.recorder: Recorder | None = None
+        self.link: Link | None = None
+        self._files: tuple[Path, ...] = ()
+        self._told = ""
+
+    @property
+    def recording(self) -> bool:
+        """Whether samples go to the disk now."""
+        return self.recorder is not None and not self.recorder.held
+
+    def folder(self, serial: str) -> Path:
+        """Where records of a device stand."""
+        return folder_of(self._root(), serial)
+
+    def propose(self, serial: str, settings: LiveSettings) -> str:
+        """Name of the next record, without suffix."""
+        return next_name(
+            self.folder(serial), serial, static=settings.static, profile=settings.profile
+        ).stem
+
+    def start(
+        self,
+        link: Link,
+        channels: tuple[Channel, ...],
+        serial: str,
+        stem: str,
+        settings: LiveSettings,
+    ) -> None:
+        """Begin a record.
+
+        Raises
+        ------
+        StorageError
+            A file exists or cannot be made.
+        """
+        self.end()
+        folder = self.folder(serial)
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise StorageError(f"{folder}: cannot be made: {error.strerror}") from error
+        path = folder / f"{safe_name(stem)}{SUFFIX}"
+        rate = link.rate_hz
+        text = self._text(path.with_name(path.stem + TEXT_SUFFIX), channels, rate, settings)
+        header = {
+            **link.header,
+            "device": serial,
+            "settings": {
+                "static": settings.static,
+                "profile": settings.profile,
+                "scale_factor": settings.scale_factor,
+                "sampling_hz": settings.sampling_hz,
+            },
+        }
+        layout = RecordLayout(channels, rate, wire_item(link.profile))
+        self.recorder = Recorder(path, header, layout, text)
+        self._files = (path,) if text is None else (path, text.path)
+        self._told = ""
+        self.link = link
+        link.tap(self.recorder)
+
+    def _text(
+        self, path: Path, channels: tuple[Channel, ...], rate: float, settings: LiveSettings
+    ) -> CvgcomWriter | None:
+        if not settings.text:
+            return None
+        frames = max(1, round(rate / settings.sampling_hz))
+        return CvgcomWriter(
+            path, CvgcomHead(frames / rate, settings.scale_factor, channels), frames
+        )
+
+    def stop(self) -> None:
+        """Stop at once; the record can be resumed."""
+        if self.recorder is not None:
+            self.recorder.hold()
+
+    def resume(self) -> None:
+        """Go on with the stopped record."""
+        if self.recorder is not None:
+            self.recorder.go_on()
+
+    def end(self) -> None:
+        """End the record for good; its thread closes the file."""
+        if self.recorder is None:
+            return
+        if self.link is not None:
+            self.link.tap(None)
+        self.recorder.end()
+        self.recorder, self.link = None, None
+
+    def close(self) -> None:
+        """End the record and wait for it."""
+        recorder = self.recorder
+        self.end()
+        if recorder is not None:
+            recorder.close()
+
+    def discard(self) -> None:
+        """Put the stopped record aside, into a folder of discarded ones; nothing is deleted."""
+        recorder, files = self.recorder, self._files
+        self.end()
+        if recorder is not None:
+            self._jobs.start(
+                "discard", lambda: _put_aside(recorder, files), self._on_done, self._on_failed
+            )
+
+    def mark(self, number: int, note: str) -> None:
+        """Note an event in the record."""
+        if self.recorder is not None:
+            self.recorder.mark(number, note)
+
+    def watch(self) -> None:
+        """Tell of a disk that refuses; what was written stays readable."""
+        recorder = self.recorder
+        if recorder is None:
+            return
+        error = recorder.error or recorder.text_error
+        told = "" if error is None else str(error)
+        if told == self._told:
+            return
+        self._told = told
+        if error is None:
+            self._messages.clear(SOURCE)
+        else:
+            what = "Samples are not recorded" if recorder.error else "CVGCom's file ends here"
+            self._messages.tell_error(SOURCE, what, error)
+
+    def _on_done(self, name: object) -> None:
+        self.discarded.emit(str(name))
+
+    def _on_failed(self, error: LabError) -> None:
+        self._messages.tell_error(SOURCE, "The record stays where it was", error)
+
+
+def _put_aside(recorder: Recorder, files: tuple[Path, ...]) -> str:
+    recorder.close()
+    folder = recorder.path.parent / DISCARDED
+    try:
+        folder.mkdir(exist_ok=True)
+        for path in files:
+            target = folder / path.name
+            number = 2
+            while target.exists():
+                target = folder / f"{path.stem}_{number}{path.suffix}"
+                number += 1
+            path.rename(target)
+    except OSError as error:
+        raise FormatError(folder, f"cannot take the record: {error.strerror}") from error
+    return recorder.path.name
