@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 TABS: dict[str, str] = {
     "Dividing head": "gui.dividing_head.tab",
     "Live": "gui.live.tab",
+    "Allan": "gui.allan.tab",
 }
 """Every tab of the window: its title and the module that makes it."""
 

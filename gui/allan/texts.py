@@ -14,6 +14,12 @@ _SHORT = {
     "flicker coefficient B": "flicker coefficient",
     "floor of the Allan curve, 0.664 B": "floor of the curve, 0.664 B",
 }
+_BRIEF = {
+    "random walk, two-sided S = N^2": "two-sided",
+    "noise density, one-sided": "one-sided, √2 N",
+    "flicker coefficient B": "flicker",
+    "floor of the Allan curve, 0.664 B": "floor, 0.664 B",
+}
 
 
 def number(value: float, resolution: float) -> str:
@@ -58,6 +64,11 @@ def words_of(quote: Quote) -> str:
     return _SHORT.get(quote.text, quote.text)
 
 
+def brief_of(quote: Quote) -> str:
+    """Return symbol and convention in as few words as tell it from the others."""
+    return f"{quote.symbol}  {_BRIEF.get(quote.text, '')}".rstrip()
+
+
 def duration(seconds: float) -> str:
     """Return a length of time: ``45 s``, ``12.5 min``, ``3 h``, ``2.1 d``."""
     for unit, size in (("d", 86400.0), ("h", 3600.0), ("min", 60.0)):
@@ -87,3 +98,10 @@ def compared_rows(
     rows.append(("record", "", *(duration(s.coefficients.curve.duration) for s in studies)))
     rows.append(("rate", "Hz", *(f"{one.rate:.6g}" for one in studies)))
     return rows
+
+
+def plain_unit(unit: str) -> str:
+    """Return a unit as it is printed: ``°/s/√Hz`` for ``deg/s/sqrt(Hz)``."""
+    text = unit.replace("deg/", "°/").replace("degC", "°C").replace("arcsec", "″")
+    text = text.replace("sqrt(s)", "√s").replace("sqrt(h)", "√h").replace("sqrt(Hz)", "√Hz")
+    return text.replace("s^2", "s²").replace("s^3", "s³").replace("ug", "µg")

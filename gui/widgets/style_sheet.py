@@ -64,13 +64,13 @@ QComboBox QAbstractItemView {{
 }}
 
 QCheckBox, QRadioButton {{ spacing: 0.45em; }}
-QCheckBox::indicator, QRadioButton::indicator, QGroupBox::indicator {{
+QCheckBox::indicator, QRadioButton::indicator, QGroupBox::indicator, QListView::indicator {{
     width: 1em; height: 1em; background: {base}; border: 1px solid {field};
 }}
-QCheckBox::indicator, QGroupBox::indicator {{ border-radius: 0.2em; }}
+QCheckBox::indicator, QGroupBox::indicator, QListView::indicator {{ border-radius: 0.2em; }}
 QRadioButton::indicator {{ border-radius: 0.55em; }}
 QCheckBox::indicator:focus, QRadioButton::indicator:focus {{ border-color: {accent}; }}
-QCheckBox::indicator:checked, QGroupBox::indicator:checked {{
+QCheckBox::indicator:checked, QGroupBox::indicator:checked, QListView::indicator:checked {{
     background: {accent}; border-color: {accent}; image: url("{icons}/check-{name}.svg");
 }}
 QRadioButton::indicator:checked {{

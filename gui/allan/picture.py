@@ -1,0 +1,82 @@
+"""Results -> what the plot draws."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from core.allan.coefficients import NoiseCoefficients
+from core.allan.curve import AllanCurve
+from core.allan.model import TERMS
+from core.records.noise_study import NoiseStudy
+from gui.allan.library import Entry
+from gui.allan.live import LiveRecord
+from gui.allan.state import CurveState, LineState, PictureState
+from gui.allan.texts import titled
+
+LIVE_COLOUR = 6
+_SLOPES = {-2: "−1", -1: "−½", 0: "0", 1: "+½", 2: "+1"}
+_BELOW = 0.02
+"""Share of the lowest point of the curve below which a term is not drawn."""
+
+
+def picture_of(
+    entries: tuple[Entry, ...], live: LiveRecord, current: int, live_key: int
+) -> PictureState | None:
+    """Return the plot of all records that are shown; None where there is nothing to draw.
+
+    Parameters
+    ----------
+    current : key of the chosen record, whose terms are drawn
+    live_key : which key means the live record
+    """
+    shown = [(e.key, e.study, e.colour) for e in entries if e.shown and e.study is not None]
+    curves: list[CurveState] = []
+    units: list[str] = []
+    # The chosen one is drawn last, over the others.
+    for _, study, colour in sorted(shown, key=lambda one: one[0] == current):
+        curves += _of_study(study, colour)
+        units.append(study.unit)
+    if live.found is not None:
+        curves.append(
+            _curve(f"{live.device} {live.channel.name}, live", LIVE_COLOUR, live.found.curve)
+        )
+        units.append(live.unit)
+    if not curves:
+        return None
+    chosen = next((study.published for key, study, _ in shown if key == current), None)
+    if current == live_key:
+        chosen = live.found
+    names = list(dict.fromkeys(units))
+    lines = tuple(_lines(chosen)) if chosen is not None else ()
+    return PictureState(names[0], tuple(curves), lines, ", ".join(names[1:]))
+
+
+def _of_study(study: NoiseStudy, colour: int) -> Iterator[CurveState]:
+    name = titled(study)
+    if study.after is not None and study.regression is not None:
+        yield _curve(f"{name}, before regression", colour, study.coefficients.curve, before=True)
+        yield _curve(f"{name}, after", colour, study.after.curve)
+    else:
+        yield _curve(name, colour, study.coefficients.curve)
+
+
+def _curve(name: str, colour: int, curve: AllanCurve, *, before: bool = False) -> CurveState:
+    return CurveState(
+        name, colour, curve.taus, curve.deviation, curve.lower, curve.upper, curve.edf, before
+    )
+
+
+def _lines(found: NoiseCoefficients) -> Iterator[LineState]:
+    """The detected terms with their slopes, and their sum."""
+    low, high = float(found.curve.taus[0]), float(found.curve.taus[-1])
+    taus = np.geomspace(low, high, 60)
+    if found.model == type(found.model)():
+        return
+    floor = _BELOW * float(found.curve.deviation.min())
+    yield LineState("", taus, np.sqrt(found.model.variance(taus)), whole=True)
+    for name, term in TERMS.items():
+        values = np.sqrt(found.model.part(name, taus))
+        inside = values > floor
+        if np.count_nonzero(inside) > 1:
+            words = f"{term.symbol}  {_SLOPES[term.power]}"
+            yield LineState(words, taus[inside], values[inside])

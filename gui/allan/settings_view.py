@@ -1,0 +1,155 @@
+"""What the operator decides about the chosen record: channel, rate, scale, unit, regression."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QLabel, QWidget
+
+from core.records.noise_study import StudyRequest
+from gui.allan.state import ChoiceState
+from gui.widgets.fields import ChoiceField, NumberField
+
+_UNITS = ("", "deg/s", "m/s^2", "code", "V")
+
+
+class SettingsView(QWidget):
+    """Form of a `StudyRequest`."""
+
+    decided = Signal(object)
+    """A `StudyRequest`."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._rendering = False
+        self._state: ChoiceState | None = None
+        self.channel, self.unit = ChoiceField(), ChoiceField()
+        self.rate = NumberField(0.0, 1e6, 3, "Hz")
+        self.scale = NumberField(0.0, 1e9, 6)
+        self.bandwidth = NumberField(0.0, 1e5, 2, "Hz")
+        self.increments = QCheckBox()
+        self.regressor, self.order = ChoiceField(), ChoiceField()
+        self.order.addItems(["1", "2", "3"])
+        self.unit.addItems(_UNITS)
+        self._labels = [QLabel() for _ in range(7)]
+        form = QFormLayout(self)
+        unit = self.fontMetrics().height()
+        form.setContentsMargins(unit // 2, unit // 2, unit // 2, unit // 2)
+        form.setVerticalSpacing(unit // 3)
+        fields = (
+            self.channel,
+            self.rate,
+            self.scale,
+            self.unit,
+            self.bandwidth,
+            self.regressor,
+            self.order,
+        )
+        for label, field in zip(self._labels, fields, strict=True):
+            label.setBuddy(field)
+            form.addRow(label, field)
+        form.addRow(self.increments)
+        for field in (self.rate, self.scale, self.bandwidth):
+            field.valueChanged.connect(self._on_edited)
+        for field in (self.channel, self.unit, self.regressor, self.order):
+            field.currentIndexChanged.connect(self._on_edited)
+            field.setSizeAdjustPolicy(
+                QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+            )
+            field.setMinimumContentsLength(8)
+        self.increments.toggled.connect(self._on_edited)
+        self._retranslate()
+        self.render(None)
+
+    def render(self, state: ChoiceState | None) -> None:
+        """Show what is decided; nothing can be changed while there is no record."""
+        self.setEnabled(state is not None)
+        if state is None or state == self._state:
+            return
+        self._state = state
+        self._rendering = True
+        request = state.request
+        _fill(self.channel, state.channels, state.channel)
+        others = [name for name in state.channels if name != state.channel]
+        _fill(self.regressor, [self.tr("none"), *others], "".join(request.regressors[:1]))
+        self.rate.setValue(request.rate)
+        self.rate.setSpecialValueText(f"{state.rate:.6g} Hz" if state.rate else self.tr("state it"))
+        self.scale.setValue(request.scale_factor)
+        self.bandwidth.setValue(request.bandwidth)
+        _fill(self.unit, _UNITS, request.unit)
+        self.unit.setItemText(0, state.unit or "code")
+        self.order.setCurrentIndex(request.order - 1)
+        self.increments.setChecked(request.increments)
+        for field in (self.rate, self.bandwidth, self.regressor, self.order, self.increments):
+            field.setEnabled(not state.live)
+        self._rendering = False
+
+    def _on_edited(self, *_: object) -> None:
+        if self._rendering or self._state is None:
+            return
+        before = self._state.request
+        channel = self.channel.currentText()
+        regressed = self.regressor.currentIndex() > 0
+        unit = _UNITS[max(self.unit.currentIndex(), 0)]
+        same = channel == self._state.channel
+        request: StudyRequest = replace(
+            before,
+            channel=before.channel if same else channel,
+            rate=self.rate.value(),
+            scale_factor=self.scale.value(),
+            unit=unit,
+            bandwidth=self.bandwidth.value(),
+            increments=self.increments.isChecked(),
+            regressors=(self.regressor.currentText(),) if regressed else (),
+            order=self.order.currentIndex() + 1,
+        )
+        if channel in request.regressors:
+            request = replace(request, regressors=())
+        self.decided.emit(request)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.LanguageChange:
+            self._retranslate()
+
+    def _retranslate(self) -> None:
+        words = (
+            (self.tr("Channel"), ""),
+            (self.tr("Rate"), self.tr("Samples per second; 0 takes that of the file.")),
+            (
+                self.tr("Scale factor"),
+                self.tr("Output for 1 °/s (1 m/s²); the samples are divided by it."),
+            ),
+            (self.tr("Unit"), self.tr("Of the samples, after the scale factor.")),
+            (
+                self.tr("Bandwidth"),
+                self.tr("Of the sensor. A filter within the band falsifies N and B most."),
+            ),
+            (
+                self.tr("Regress on"),
+                self.tr("Show the curve before and after taking off what this channel explains."),
+            ),
+            (self.tr("Order"), self.tr("Highest power of that channel.")),
+        )
+        for label, (text, tip) in zip(self._labels, words, strict=True):
+            label.setText(text)
+            label.setToolTip(tip)
+            buddy = label.buddy()
+            if buddy is not None:
+                buddy.setAccessibleName(text)
+                buddy.setToolTip(tip)
+        self.scale.setSpecialValueText(self.tr("as the file says"))
+        self.bandwidth.setSpecialValueText(self.tr("found"))
+        self.increments.setText(self.tr("Angle increments (fit Q)"))
+        self.increments.setToolTip(
+            self.tr("The device sends increments of angle; a rate output has no quantisation Q.")
+        )
+
+
+def _fill(field: QComboBox, names: Sequence[str], chosen: str) -> None:
+    """Offer these names; what is not among them chooses the first."""
+    shown = [field.itemText(place) for place in range(field.count())]
+    if shown != list(names):
+        field.clear()
+        field.addItems(list(names))
+    field.setCurrentIndex(max(field.findText(chosen, Qt.MatchFlag.MatchExactly), 0))

@@ -1,0 +1,93 @@
+"""The Allan tab put together."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QObject
+
+from core.errors import LabError, Severity, StorageError
+from core.plans.plan import Plan, Step
+from gui.allan.exporting import Exporting
+from gui.allan.library import Library
+from gui.allan.live import LiveRecord
+from gui.allan.presenter import SOURCE, AllanPresenter
+from gui.allan.view import AllanView
+from gui.services import Services
+
+
+class AllanTab(QObject):
+    """Presenter, view and what joins them."""
+
+    def __init__(self, services: Services) -> None:
+        super().__init__()
+        self._services = services
+        self.library = Library(services.jobs, self)
+        self.live = LiveRecord(services.connection, services.jobs, self)
+        self.presenter = AllanPresenter(
+            self.library, self.live, services.connection, services.messages, self
+        )
+        self.view = AllanView(self.presenter)
+        self.exporting = Exporting(
+            self.library, self._draw, services.root, services.jobs, services.messages, self
+        )
+        findings = self.view.findings
+        findings.set_formats(self.exporting.formats)
+        findings.format_chosen.connect(self._propose)
+        findings.export_requested.connect(self.exporting.export)
+        self.library.changed.connect(self._on_library)
+        self.view.export_wanted.connect(findings.export)
+
+    @property
+    def widget(self) -> AllanView:
+        """What is shown."""
+        return self.view
+
+    def after_paint(self) -> None:
+        """Load the plot, and what the first curve needs, so that it comes without a pause."""
+        from gui.allan.plot_view import AllanPlot
+
+        self.view.put_plot(AllanPlot())
+        self._services.jobs.start("scipy", _warm_up, self._on_warm, self._on_failed)
+
+    def why_busy(self) -> str:
+        """Why the ports cannot be let go of; a live curve is no measurement."""
+        return ""
+
+    def wanted(self) -> tuple[Plan, Step] | None:
+        """Nothing has to be set on the rig."""
+        return None
+
+    def close(self) -> None:
+        """End the live curve."""
+        self.live.stop()
+
+    def _on_library(self) -> None:
+        self._propose(self.view.findings.chosen_format)
+
+    def _propose(self, key: str) -> None:
+        self.view.findings.show_name(self.exporting.propose(key))
+
+    def _draw(self, path: Path) -> None:
+        from gui.widgets.chart_export import save_chart
+
+        plot = self.view.plot
+        if plot is None or self.presenter.state.picture is None:
+            raise StorageError(f"{path}: there is no plot yet")
+        save_chart(plot.paint, plot.size(), path, "Allan deviation")
+
+    def _on_warm(self, result: object) -> None:
+        """Nothing follows: the imports were the work."""
+
+    def _on_failed(self, error: LabError) -> None:
+        self._services.messages.log(Severity.WARNING, str(error), SOURCE)
+
+
+def _warm_up() -> None:
+    """Import what the confidence of a curve needs; it takes half a second."""
+    import scipy.special
+
+    scipy.special.chdtri(1.0, 0.5)
+
+
+def make_tab(services: Services) -> AllanTab:
+    """Build the tab."""
+    return AllanTab(services)
