@@ -298,3 +298,16 @@ def test_a_large_offset_costs_no_digits():
     assert isinstance(fit, FitResult)
     # The rounding of y itself is 1e-9, its slope over 10 deg/s 1e-10.
     assert fit.value("scale_factor") == pytest.approx(1e-3, abs=1e-9)
+
+
+@pytest.mark.parametrize("drift", [5.0, 20.0, 1e3])
+def test_drift_far_above_the_noise_gives_the_intervals_of_the_residuals(drift: float):
+    """Ten seconds of samples make a tenth of a code; the practicum's residuals are of three."""
+    noise = np.random.default_rng(8).normal(0.0, drift, 16)
+    y = accelerometer().predict(head(times=2), TRUTH) + noise
+    drifting = Conditions(repeatability=np.nan)
+    fit = fit_sensor(accelerometer(), head(times=2), Rows.of(y, np.ones(16)), drifting)
+    by_residuals = fit_sensor(accelerometer(), head(times=2), Rows.of(y), NOTHING)
+    assert fit.sigma_source == "partly"
+    assert fit.values == pytest.approx(by_residuals.values)
+    assert fit.expanded() == pytest.approx(by_residuals.expanded(), rel=0.1)
