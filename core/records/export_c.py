@@ -69,7 +69,8 @@ def _parameters(calibration: Calibration, prefix: str) -> list[str]:
     sensors = zip(calibration.channels, calibration.axes, calibration.fits, strict=True)
     for place, (channel, axis, fit) in enumerate(sensors, start=1):
         name = c_name(channel)
-        name = f"{name}_{place}" if name in taken else name
+        while name in taken:
+            name = f"{name}_{place}"
         taken.add(name)
         lines.append(f"/* {_inside(channel)}, input axis {axis or 'unknown'} */")
         for parameter, value, u in zip(fit.parameters, fit.values, fit.stderr, strict=True):

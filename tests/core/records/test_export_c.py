@@ -54,6 +54,12 @@ def test_names_of_c():
     assert c_name("Збірка") == "unit"
 
 
+def test_names_that_are_alike_stay_apart(triad):
+    lines = header_text(replace(triad, channels=("a_3", "a", "a"))).splitlines()
+    names = [line.split(" = ")[0] for line in lines if " = " in line and "const" in line]
+    assert len(set(names)) == len(names)
+
+
 def compiled(header, source, folder):
     assert COMPILER is not None
     (folder / "cal.h").write_text(header, encoding="utf-8")
