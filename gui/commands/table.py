@@ -41,6 +41,12 @@ COMMANDS = {
     "demo": Entry("gui.commands.demo", "measure a session in the window, by itself"),
     "means": Entry("gui.commands.means", "average the records of a folder"),
     "simulate": Entry("gui.commands.simulate", "measure a session on the simulated rig"),
+    "tumble": Entry("gui.commands.tumble", "turn one accelerometer through all angles"),
+    "six-position": Entry("gui.commands.six_position", "split a triad into k, T and mounting"),
+    "thermal": Entry("gui.commands.thermal", "calibrate over temperature"),
+    "drift": Entry("gui.commands.drift", "compensate the drift after switching on"),
+    "gyrocompass": Entry("gui.commands.gyrocompass", "find north with a gyro"),
+    "predict": Entry("gui.commands.predict", "say which procedure, and how well, beforehand"),
 }
 
 

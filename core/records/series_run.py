@@ -1,0 +1,158 @@
+"""Records for the procedures that take them: over temperature, and since switching on."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from core.arrays import FloatArray
+from core.errors import FitError, Note, Severity
+from core.procedures.drift.turn_on import TurnOn
+from core.records.series import Series
+from core.samples.block import Channel
+from core.samples.run import Run
+
+_KINDS = {"rate.": "gyro", "acc.": "accelerometer"}
+
+
+def record_run(
+    series: Series, outputs: Sequence[str] = (), temperature: str = "", sensor: str = ""
+) -> Run:
+    """Return a record as a run of test ``"record"``.
+
+    Parameters
+    ----------
+    series : the record
+    outputs : names, roles or numbers of the outputs; by default all rates, or else all specific
+        forces
+    temperature : the same of the temperature; by default the channel that is called so
+    sensor : ``"gyro"`` or ``"accelerometer"`` where the channels do not tell
+
+    Raises
+    ------
+    FormatError
+        There is no such channel.
+    FitError
+        Outputs or temperature cannot be told from the channels' names, or the outputs differ in
+        unit.
+    """
+    places = [series.place(name) for name in outputs] or _outputs(series)
+    channels = [series.channels[place] for place in places]
+    if len({channel.unit for channel in channels}) > 1:
+        raise FitError(
+            f"{series.path}: outputs in {', '.join(channel.unit for channel in channels)}; take"
+            " those of one unit at a time"
+        )
+    at = _temperature(series, temperature)
+    y = np.column_stack([series.columns[place] for place in places]).astype(np.float64)
+    warm = np.asarray(series.columns[at], dtype=np.float64)
+    whole = np.isfinite(y).all(axis=1) & np.isfinite(warm)
+    lost = int((~whole).sum())
+    n = len(y) - lost
+    unknown = np.full(n, np.nan)
+    return Run(
+        test="record",
+        sensor=sensor or _kind(channels),
+        device=series.device,
+        channels=tuple(channel.name for channel in channels),
+        axes=tuple(_axis(channel) for channel in channels),
+        unit=channels[0].unit,
+        y=y[whole],
+        y_se=np.full((n, len(places)), np.nan),
+        run=np.ones(n, dtype=np.int64),
+        order=np.arange(n, dtype=np.int64),
+        mount=("",) * n,
+        head_deg=unknown,
+        set_rate_dps=unknown,
+        temperature_c=warm[whole],
+        t_s=_times(series)[whole],
+        notes=(*series.notes, *([_lost(lost, len(y))] if lost else [])),
+    )
+
+
+def turn_on_of(
+    series: Series,
+    channel: str = "",
+    temperature: str = "",
+    *,
+    ambient_c: float = np.nan,
+    rate: float = 0.0,
+    scale_factor: float = 0.0,
+) -> tuple[TurnOn, str]:
+    """Return a record that began with switching on, and the unit of its output.
+
+    Parameters
+    ----------
+    series : the record; its first sample is taken as the moment of switching on
+    channel : name, role or number of the output; by default the likeliest
+    temperature : the same of the chip's temperature; by default the channel that is called so
+    ambient_c : temperature of the chamber; NaN where only the chip knows
+    rate, scale_factor : what the file does not tell, see `Series.sampled`
+
+    Raises
+    ------
+    FormatError
+        There is no such channel.
+    FitError
+        The record has gaps, or its rate is not known.
+    """
+    place = series.place(channel) if channel else series.main
+    sampled = series.sampled(place, rate, scale_factor)
+    if sampled.index is not None:
+        raise FitError(f"{series.path}: samples were lost; gaps cannot be averaged over")
+    known = temperature or any(_is_temperature(one) for one in series.channels)
+    values = np.asarray(sampled.values, dtype=np.float64)
+    chip = (
+        np.asarray(series.columns[_temperature(series, temperature)], dtype=np.float64)
+        if known
+        else np.full(len(values), np.nan)
+    )
+    return TurnOn(series.path, ambient_c, values, sampled.rate, chip), sampled.unit
+
+
+def _outputs(series: Series) -> list[int]:
+    for start in _KINDS:
+        found = [p for p, channel in enumerate(series.channels) if channel.role.startswith(start)]
+        if found:
+            return found
+    names = ", ".join(channel.name for channel in series.channels)
+    raise FitError(f"{series.path}: which channels are the outputs? There are: {names}")
+
+
+def _is_temperature(channel: Channel) -> bool:
+    return channel.role.startswith("temp") or "temp" in channel.name.lower()
+
+
+def _temperature(series: Series, name: str) -> int:
+    if name:
+        return series.place(name)
+    for place, channel in enumerate(series.channels):
+        if _is_temperature(channel):
+            return place
+    names = ", ".join(channel.name for channel in series.channels)
+    raise FitError(f"{series.path}: which channel is the temperature? There are: {names}")
+
+
+def _kind(channels: Sequence[Channel]) -> str:
+    kinds = {_KINDS.get(channel.role.partition(".")[0] + ".", "") for channel in channels}
+    if len(kinds) == 1 and "" not in kinds:
+        return kinds.pop()
+    words = " ".join(channel.name.lower() for channel in channels)
+    return "accelerometer" if "acc" in words else "gyro"
+
+
+def _axis(channel: Channel) -> str:
+    last = (channel.role or channel.name)[-1:].lower()
+    return last if last in ("x", "y", "z") else ""
+
+
+def _times(series: Series) -> FloatArray:
+    if series.time is not None:
+        return series.time - series.time[0]
+    if series.rate > 0:
+        index = np.arange(series.n) if series.index is None else series.index - series.index[0]
+        return index / series.rate
+    return np.full(series.n, np.nan)
+
+
+def _lost(lost: int, rows: int) -> Note:
+    return Note(Severity.INFO, "lost", f"{lost} of {rows} rows hold no number and were left out")
