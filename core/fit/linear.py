@@ -113,6 +113,9 @@ def fit_design(design: Design, rows: Rows, conditions: Conditions) -> FitResult:
     result = _result(design, rows, shared, state)
     if state.parts.known and not result.dof and np.isnan(repeatability):
         result = replace(result, notes=(*result.notes, _no_check(len(rows.y))))
+    told = int(np.isfinite(rows.se).sum())
+    if told and not state.parts.known:
+        result = replace(result, notes=(*result.notes, _not_all_told(told, len(rows.y))))
     return result
 
 
@@ -247,6 +250,15 @@ def _gravity_response(
     change = model.design(stimulus.scaled_force(1.0 + step)) - model.design(stimulus)
     slope = -solution.inverse @ (change @ solution.values) / step
     return (slope * conditions.u_g_mps2 / conditions.g_mps2)[:, None]
+
+
+def _not_all_told(told: int, n: int) -> Note:
+    return Note(
+        Severity.WARNING,
+        "standard_errors_unused",
+        f"only {told} of {n} rows bring a usable standard error; none is used, and the scatter of"
+        " the residuals stands for all",
+    )
 
 
 def _no_check(n: int) -> Note:

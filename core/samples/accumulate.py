@@ -10,6 +10,8 @@ from core.samples.block import Channel, SampleBlock
 from core.samples.mean_error import standard_error
 
 _MIN_SAMPLES = 16
+_MOST_LOST = 0.25
+"""Share of lost samples beyond which the mean is no longer one over the time that was asked."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -183,9 +185,10 @@ def _faults(
             Note(Severity.ERROR, "too_short", f"too short: {n}{asked} samples; accumulate again")
         )
     if lost:
+        much = lost > _MOST_LOST * (n + lost)
         notes.append(
             Note(
-                Severity.WARNING,
+                Severity.ERROR if much else Severity.WARNING,
                 "lost_samples",
                 f"{lost} of {n + lost} samples were lost on the line; the mean is over the rest",
             )

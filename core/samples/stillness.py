@@ -37,7 +37,7 @@ class StillnessDetector:
         self._count = 0
 
     def feed(self, block: SampleBlock) -> None:
-        """Take a block; a gap starts the window anew."""
+        """Take a block; a gap inside it starts the window anew."""
         columns = chosen_columns(block.channels, self._watched)
         if len(block.index) > 1 and np.any(np.diff(block.index) > 1):
             self.reset()

@@ -26,9 +26,11 @@ def fit_accelerometers(fitted: Fitted) -> None:
 
 
 def _plain(calibration: Calibration) -> dict[str, object]:
+    over_k = [calibration.bias_in_input(c)[0] for c in range(len(calibration.fits))]
     plain: dict[str, object] = {
         "calibration": json.loads(calibration_text(calibration)),
-        "bias_mps2": [calibration.bias_in_input(c)[0] for c in range(len(calibration.fits))],
+        "bias_over_k_mps2": over_k,
+        "bias_mps2": over_k,  # what the unit reads at zero input; of a triad Q U0, (2.5)
         "misalignment_rad": [calibration.misalignment(c)[0] for c in range(len(calibration.fits))],
     }
     if calibration.is_triad:
@@ -47,7 +49,7 @@ def _report(path: Path, calibration: Calibration) -> list[str]:
         lines.append(f"  {name}, axis {calibration.axes[place].upper()}")
         lines += [f"    {line}" for line in _parameters(fit)]
         bias, u = calibration.bias_in_input(place)
-        lines.append(f"    bias  {bias:.6g} m/s^2, u = {u:.2g}")
+        lines.append(f"    U0/k  {bias:.6g} m/s^2, u = {u:.2g}")
         lines.append(f"    {_scatter(fit, calibration.unit)}")
         lines += note_lines(fit.notes, "    ")
     if calibration.is_triad:

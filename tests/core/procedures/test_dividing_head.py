@@ -166,6 +166,16 @@ def test_a_calibration_names_the_file_that_it_came_from() -> None:
     assert provenance.plan == "pointer_8"
 
 
+def test_standard_errors_that_not_all_rows_have_are_said_to_be_unused() -> None:
+    se = np.full(TABLE_2_2.shape, 2.0)
+    se[3, 1] = np.nan
+    fits = calibrate(run_of(PLANS["pointer_8"], TABLE_2_2, ("x", "y", "z"), se), STEADY).fits
+    told = [[note.subject for note in fit.notes] for fit in fits]
+    assert "standard_errors_unused" in told[1]
+    assert "standard_errors_unused" not in told[0]
+    assert fits[1].sigma_source == "residual"
+
+
 def test_permuted_channels_are_suspected() -> None:
     run = run_of(PLANS["pointer_8"], TABLE_2_2[:, [1, 0, 2]], ("x", "y", "z"))
     assert "wrong_axis" in {note.subject for note in calibrate(run, KYIV).notes}

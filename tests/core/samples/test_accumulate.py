@@ -51,6 +51,14 @@ def test_a_gap_counts_as_time_and_is_said() -> None:
     assert "20 of 200" in result.notes[0].text
 
 
+def test_a_mean_over_a_line_that_lost_most_is_refused() -> None:
+    accumulator = Accumulator(2.0, RATE)
+    accumulator.feed(block(0, noise(60), np.r_[0:30, 170:200]))
+    (note,) = accumulator.result().notes
+    assert note.severity is Severity.ERROR
+    assert "140 of 200" in note.text
+
+
 def test_too_short_is_an_error_that_names_the_numbers() -> None:
     accumulator = Accumulator(2.0, RATE)
     accumulator.feed(block(0, noise(120)))
