@@ -79,14 +79,14 @@ def comparison_table(studies: Sequence[NoiseStudy]) -> TableState:
 
 def _quotes(found: NoiseCoefficients) -> TableState:
     rows = [
-        (brief_of(q), quoted(q), interval(q), plain_unit(q.unit))
+        (brief_of(q), quoted(q), plain_unit(q.unit), interval(q))
         for term in terms_of(found)
         for q in in_conventions(found, term)
     ]
     return TableState(
         "Noise coefficients, 95 %",
         LAW,
-        ("", "value", "from … to", "unit"),
+        ("", "value", "unit", "from … to"),
         tuple(rows),
     )
 

@@ -138,8 +138,8 @@ class AllanPlot(Plot):
         low, high = (float(edge[self._at]) for edge in (curve.lower, curve.upper))
         self.read.emit(
             f"τ = {short(tau, 4)} s   σ = {short(sigma, 4)} {unit}   "
-            f"({short(low, 3)} … {short(high, 3)}, 1σ; "
-            f"{curve.edf[self._at]:.3g} degrees of freedom{slope})"
+            f"({short(low, 3)} … {short(high, 3)}, 1σ), "
+            f"{curve.edf[self._at]:.3g} dof{slope}"
         )
 
     def _wear_cursor(self, theme: Theme) -> None:

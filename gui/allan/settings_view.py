@@ -51,6 +51,8 @@ class SettingsView(QWidget):
         form.addRow(self.increments)
         for field in (self.rate, self.scale, self.bandwidth):
             field.valueChanged.connect(self._on_edited)
+            # Their largest numbers, which nobody enters, would make the pane too wide.
+            field.setMinimumWidth(6 * unit)
         for field in (self.channel, self.unit, self.regressor, self.order):
             field.currentIndexChanged.connect(self._on_edited)
             field.setSizeAdjustPolicy(

@@ -57,8 +57,9 @@ class AllanTab(QObject):
         return None
 
     def close(self) -> None:
-        """End the live curve."""
+        """End the live curve; let go of the plot."""
         self.live.stop()
+        self.view.drop_plot()
 
     def _on_library(self) -> None:
         self._propose(self.view.findings.chosen_format)

@@ -129,6 +129,13 @@ class AllanView(QWidget):
         plot.read.connect(self.reading.setText)
         self._render_plot()
 
+    def drop_plot(self) -> None:
+        """Close the plot: panels of pyqtgraph would outlive it as windows; may be called again."""
+        if self.plot is not None:
+            plot, self.plot = self.plot, None
+            self._middle.setCurrentWidget(self.hint)
+            plot.close()
+
     def render(self, state: AllanState) -> None:
         """Show a state."""
         self._state = state
