@@ -40,6 +40,7 @@ HEAD = struct.Struct("<qIHH")
 SINGLE, DOUBLE = 4, 8
 
 _FLUSH_S = 0.2
+_FLUSH_BYTES = 4 << 20
 _JOIN_S = 10.0
 
 
@@ -129,7 +130,7 @@ class Recorder:
         self._bytes: list[_Bytes] = []
         self._blocks: list[SampleBlock] = []
         self._counts: Counter[str] = Counter()
-        self._flushed = time.monotonic()
+        self._flushed, self._gathered = time.monotonic(), 0
         self._end: _Turn | None = None
         self._thread = threading.Thread(target=self._run, name="calrig recorder", daemon=True)
         self._thread.start()
@@ -219,7 +220,8 @@ class Recorder:
                     return
             else:
                 self._accept(item)
-                if time.monotonic() - self._flushed >= _FLUSH_S:
+                due = time.monotonic() - self._flushed >= _FLUSH_S
+                if due or self._gathered >= _FLUSH_BYTES:
                     self._flush()
 
     def _turn(self, turn: _Turn) -> None:
@@ -238,6 +240,7 @@ class Recorder:
         match item:
             case _Bytes():
                 self._bytes.append(item)
+                self._gathered += len(item.data)
             case SampleBlock():
                 self._samples(item)
             case _Note():
@@ -261,6 +264,7 @@ class Recorder:
     def _samples(self, block: SampleBlock) -> None:
         if block.channels == self._layout.channels:
             self._blocks.append(block)
+            self._gathered += block.data.nbytes
             self._counts["samples"] += len(block.index)
             return
         if not self._counts["other channels"]:
@@ -269,7 +273,7 @@ class Recorder:
         self._counts["other channels"] += len(block.index)
 
     def _flush(self) -> None:
-        self._flushed = time.monotonic()
+        self._flushed, self._gathered = time.monotonic(), 0
         if self._bytes:
             data = b"".join(part.data for part in self._bytes)
             self._log.write(data, self._bytes[0].arrival)

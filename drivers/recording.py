@@ -242,7 +242,7 @@ class _Scan:
         self.events: list[RecordEvent] = []
         self.ended = False
         self._path = path
-        self._mapped: NDArray[np.uint8] = np.memmap(path, dtype=np.uint8, mode="r")
+        self._mapped: NDArray[np.uint8] = np.memmap(path, dtype=np.uint8, mode="r").view(np.ndarray)
         self._damaged: list[Damage] = []
         self._refused = 0
 

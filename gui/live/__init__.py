@@ -13,7 +13,7 @@ scene             words and buttons of each phase
 presenter         clicks in, state out
 charts_view       the page Charts with its tools
 table_view        the page Table, newest on top
-settings_view     the settings panel
+settings_view     the settings panel; tools_view what concerns the display alone
 view, tab         all of it together
 ================  ==================================================================
 """

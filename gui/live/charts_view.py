@@ -1,6 +1,6 @@
 """The page Charts: stacked charts and their tools."""
 
-from PySide6.QtCore import QEvent, Signal
+from PySide6.QtCore import QEvent, QSize, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QLineEdit, QPushButton, QVBoxLayout, QWidget
 
 from gui.live.settings import LiveSettings
@@ -15,6 +15,27 @@ _EDITS = ("select_all", "deselect_all", "select", "show", "remove", "means")
 _SWITCHES = ("all", "track", "cross", "pause", "edit", "select", "show")
 
 
+class _Button(QPushButton):
+    """A button; one that stays pressed says so by a sign too."""
+
+    def __init__(self, key: str) -> None:
+        super().__init__()
+        self.setProperty("key", key)
+        self.setCheckable(key in _SWITCHES)
+        self._words = ""
+        self.toggled.connect(self._show)
+
+    def set_words(self, words: str) -> None:
+        self._words = words
+        self._show()
+
+    def _show(self) -> None:
+        self.setText(f"✓ {self._words}" if self.isChecked() else self._words)
+
+    def minimumSizeHint(self) -> QSize:
+        return self.sizeHint()
+
+
 class ChartsView(QWidget):
     """Charts with CVGCom's buttons."""
 
@@ -26,10 +47,7 @@ class ChartsView(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.charts = StripCharts()
-        self.buttons = {key: QPushButton() for key in (*_BUTTONS, *_EDITS, "mark")}
-        for key, button in self.buttons.items():
-            button.setProperty("key", key)
-            button.setCheckable(key in _SWITCHES)
+        self.buttons = {key: _Button(key) for key in (*_BUTTONS, *_EDITS, "mark")}
         self.tail = NumberField(0.1, 1e5, 1, "s")
         self.note = QLineEdit()
         self._note_label = QLabel()
@@ -54,7 +72,8 @@ class ChartsView(QWidget):
         for key in ("all", "track"):
             first.addWidget(self.buttons[key])
         first.addWidget(self.tail)
-        for key in ("cross", "pause", "edit", "overlay", "no_overlay"):
+        self.tail.setMaximumWidth(7 * unit)
+        for key in ("cross", "pause", "edit"):
             first.addWidget(self.buttons[key])
         first.addStretch(1)
         for key in _EDITS:
@@ -64,7 +83,8 @@ class ChartsView(QWidget):
         third.setSpacing(unit // 3)
         third.addWidget(self._note_label)
         third.addWidget(self.note, 1)
-        third.addWidget(self.buttons["mark"])
+        for key in ("mark", "overlay", "no_overlay"):
+            third.addWidget(self.buttons[key])
         column = QVBoxLayout(self)
         column.setContentsMargins(0, unit // 3, 0, 0)
         column.setSpacing(unit // 3)
@@ -189,7 +209,7 @@ class ChartsView(QWidget):
             "mark": self.tr("Mark"),
         }
         for key, button in self.buttons.items():
-            button.setText(words[key])
+            button.set_words(words[key])
         self.buttons["pause"].setToolTip(self.tr("Freezes the picture; the record goes on"))
         self.buttons["mark"].setToolTip(self.tr("Marks this moment in the record, with the note"))
         self.buttons["means"].setToolTip(

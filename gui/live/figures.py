@@ -6,7 +6,7 @@ from PySide6.QtCore import QCoreApplication
 
 from core.records.means import RecordMean
 from gui.live.trace import Trace
-from gui.widgets.number_text import fixed, significant, value_and_uncertainty
+from gui.widgets.number_text import decimals_of, fixed, significant, value_and_uncertainty
 from gui.widgets.states import TableState
 
 _DIGITS, _FEW = 8, 4
@@ -38,15 +38,17 @@ def cursor_table(trace: Trace, shown: list[int], a: float | None, b: float | Non
     for channel in shown:
         found = history.statistics(channel, first, end)
         described = history.channels[channel]
+        level = (_level(value, found.sigma) for value in (found.mean, found.low, found.high))
+        mean, low, high = level
         rows.append(
             (
                 described.name,
                 described.unit,
                 str(found.count),
-                _number(found.mean, _DIGITS),
+                mean,
                 _number(found.sigma, _FEW),
-                _number(found.low, _DIGITS),
-                _number(found.high, _DIGITS),
+                low,
+                high,
                 _number(found.high - found.low, _FEW),
                 _number(found.slope, _FEW),
             )
@@ -69,6 +71,13 @@ def mean_table(means: list[RecordMean]) -> TableState:
         rows.append((one.record, str(one.n), *cells))
     equation = _say("mean ± its standard error, which respects correlated noise")
     return TableState(_say("Means"), equation, header, tuple(rows), 1)
+
+
+def _level(value: float, sigma: float) -> str:
+    """A value with the digits that its scatter leaves meaning in a mean of many."""
+    if math.isfinite(sigma) and sigma > 0.0:
+        return fixed(value, max(0, decimals_of(sigma, _FEW)))
+    return _number(value, _DIGITS)
 
 
 def _number(value: float, digits: int) -> str:

@@ -148,7 +148,9 @@ class LivePresenter(QObject):
         stored = 0
         if recorder is not None and recorder.path.exists():
             stored = recorder.path.stat().st_size
-        port = link.setup.url if link.setup.simulated else f"{link.setup.url} {link.setup.baud}"
+        port = link.setup.url.partition("?")[0]
+        if not link.setup.simulated:
+            port = f"{port} {link.setup.baud}"
         return LiveStatus(
             port,
             now.frames - before.frames if recorder is None else recorder.count,

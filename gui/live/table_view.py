@@ -6,6 +6,7 @@ from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelInd
 from PySide6.QtWidgets import QHeaderView, QTableView, QWidget
 
 from gui.live.trace import Trace
+from gui.widgets.number_text import MINUS
 
 _MOST_ROWS = 100_000
 _DECIMALS = 9
@@ -34,7 +35,8 @@ class SampleTable(QTableView):
         metrics = self.fontMetrics()
         for column in range(self.samples.columnCount()):
             title = str(self.samples.headerData(column, Qt.Orientation.Horizontal))
-            width = max(metrics.horizontalAdvance(f"  {title}  "), 13 * metrics.averageCharWidth())
+            number = "  −00.000000000  "
+            width = max(metrics.horizontalAdvance(text) for text in (f"  {title}  ", number))
             self.setColumnWidth(column, width)
 
     def refresh(self) -> None:
@@ -98,7 +100,7 @@ class _Samples(QAbstractTableModel):
         if index.column() == 0:
             return f"{history.seconds(number):.4f}"
         value = history.value(self._shown[index.column() - 1], number)
-        return "—" if math.isnan(value) else f"{value:.{_DECIMALS}f}"
+        return "—" if math.isnan(value) else f"{value:.{_DECIMALS}f}".replace("-", MINUS)
 
     def headerData(
         self,

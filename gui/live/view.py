@@ -3,7 +3,7 @@
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, Qt, QTimer
-from PySide6.QtGui import QColor, QPalette
+from PySide6.QtGui import QColor, QPalette, QShowEvent
 from PySide6.QtWidgets import (
     QFileDialog,
     QFrame,
@@ -12,6 +12,7 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QPushButton,
     QScrollArea,
+    QSizePolicy,
     QSplitter,
     QTabWidget,
     QVBoxLayout,
@@ -79,6 +80,7 @@ class LiveView(QWidget):
         font.setBold(True)
         font.setPointSizeF(1.3 * font.pointSizeF())
         self.headline.setFont(font)
+        self.status.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self.status.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.pages.addTab(self.charts, "")
         self.pages.addTab(self.table, "")
@@ -199,7 +201,9 @@ class LiveView(QWidget):
         ]
         if status.stored:
             parts.append(self.tr("on disk {mb} MB").format(mb=f"{status.stored / 1e6:.1f}"))
-        self.status.setText("   ·   ".join(part for part in parts if part))
+        text = "  ·  ".join(part for part in parts if part)
+        self.status.setText(text)
+        self.status.setToolTip(text)
 
     # --- what the operator does -------------------------------------------------------------------
 
@@ -210,6 +214,8 @@ class LiveView(QWidget):
             self.export_row.setVisible(not self.export_row.isVisible())
             self._on_format()
         else:
+            # A field that is locked now must not pass the focus on to one that takes Space.
+            self.charts.charts.setFocus()
             self._presenter.act(key)
 
     def _on_edit(self, key: str) -> None:
@@ -270,6 +276,11 @@ class LiveView(QWidget):
             self._presenter.measures.average_folder(path)
         else:
             self._presenter.load(path, beneath=self._wanted == "overlay")
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        # Not on a field, into which Space would be typed.
+        self.charts.charts.setFocus()
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
