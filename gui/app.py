@@ -19,7 +19,7 @@ from gui.main_window import LOOKS, MainWindow, Tab, TabModule
 from gui.messages import Messages
 from gui.settings import Settings, text_of
 from gui.widgets.sound import Cue, Sounds
-from gui.widgets.states import BannerState
+from gui.widgets.states import BannerAction, BannerState
 from gui.widgets.theme import apply_theme
 
 if TYPE_CHECKING:
@@ -33,6 +33,7 @@ TABS: dict[str, str] = {
 }
 """Every tab of the window: its title and the module that makes it."""
 
+_WELCOME, _PROPERTIES = "welcome", "properties"
 _CUES = {"start": Cue.START, "done": Cue.DONE, "error": Cue.ERROR}
 
 
@@ -156,6 +157,8 @@ class Application(QObject):
         connection.changed.connect(self._on_port)
         connection.properties_wanted.connect(window.devices.open)
         window.strip.device_chosen.connect(connection.select)
+        connection.changed.connect(self._on_welcomed)
+        self.messages.action.connect(self._on_action)
         self.devices.accepted.connect(self._remember)
 
     def _restore(self) -> None:
@@ -181,6 +184,8 @@ class Application(QObject):
             self.open_simulated(self._options.simulated)
         elif known and not any(setup.simulated for setup in setups):
             self.connection.open(setups)
+        else:
+            self.messages.show(_WELCOME, _welcome())
         self.ready.emit()
 
     def _remember(self) -> None:
@@ -240,6 +245,17 @@ class Application(QObject):
             self.rig.follow()
         self.window.show_rig(self._rig_panel)
 
+    def _on_welcomed(self) -> None:
+        if self.connection.link is not None:
+            self.messages.clear(_WELCOME)
+
+    def _on_action(self, source: str, key: str) -> None:
+        if source == _WELCOME:
+            if key == _PROPERTIES:
+                self.window.devices.open()
+            else:
+                self.open_simulated(key)
+
     def _on_look(self, look: str) -> None:
         self._look = look
         apply_theme(self._qt, look)
@@ -260,6 +276,21 @@ def run(options: Options) -> int:
     code = qt.exec()
     application.close()
     return code
+
+
+def _welcome() -> BannerState:
+    return BannerState(
+        Severity.INFO,
+        "No device is connected",
+        "Choose the port of the unit in Device Properties; or try the program on its simulated"
+        " rig, which speaks the same protocols.",
+        "",
+        (
+            BannerAction(_PROPERTIES, "Device Properties"),
+            BannerAction("pointer", "Simulated PW09"),
+            BannerAction("clbacc", "Simulated assembly"),
+        ),
+    )
 
 
 def _default_root() -> Path:

@@ -180,6 +180,7 @@ class MainWindow(QMainWindow):
         """Dock the rig, or take it away."""
         if panel is not None and self._dock.widget() is not panel:
             self._dock.setWidget(panel)
+            self.resizeDocks([self._dock], [panel.minimumWidth()], Qt.Orientation.Horizontal)
         self._dock.setVisible(panel is not None)
         self._dock.toggleViewAction().setVisible(panel is not None)
 

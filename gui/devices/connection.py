@@ -179,7 +179,7 @@ class Connection(QObject):
             DeviceStripState(
                 devices=tuple(one.setup.name for one in self._links),
                 current=self._current,
-                port=link.setup.url,
+                port=link.setup.url.partition("?")[0],
                 baud=0 if link.setup.simulated else link.setup.baud,
                 link=link.mark,
                 rate_hz=measured if measured == measured else None,

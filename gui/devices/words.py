@@ -39,7 +39,7 @@ def lost_banner(setup: DeviceSetup, why: str) -> BannerState:
     """What to say when the cable is out."""
     return BannerState(
         Severity.ERROR,
-        f"Link lost: {setup.url}",
+        f"Link lost: {setup.url.partition('?')[0]}",
         f"{setup.name}: {why}. Everything accepted so far is on the disk.",
         "Plug the adapter in again; the program reconnects by itself and goes on.",
         closable=False,

@@ -44,6 +44,7 @@ class Scene:
     total : positions that the plan wants, all passes
     last_mount : how the unit stood last; empty before the first position
     doubt : headline over an accumulation that was not taken
+    processed : whether the results are on the screen
     """
 
     status: Status | None
@@ -56,6 +57,7 @@ class Scene:
     total: int
     last_mount: str
     doubt: str
+    processed: bool
 
 
 def stage_of(scene: Scene) -> StageState:
@@ -73,7 +75,8 @@ def stage_of(scene: Scene) -> StageState:
     if status.step is None:
         return StageState(
             "All positions done",
-            f"{scene.done_before} positions are on the disk. Press Process Data (F5).",
+            f"{scene.done_before} positions are on the disk."
+            + ("" if scene.processed else " Press Process Data (F5)."),
             Tone.GOOD,
         )
     if scene.just_done is not None and status.phase in (Phase.READY, Phase.TURN, Phase.MOVING):
@@ -130,7 +133,7 @@ def _of_phase(status: Status, step: Step, scene: Scene) -> StageState:
             )
         case Phase.MEASURING:
             return StageState(
-                f"Measuring {status.remaining_s:.0f} s",
+                "Measuring",
                 f"{where} Do not touch the head.",
                 Tone.BUSY,
                 status.progress,
@@ -141,12 +144,9 @@ def _of_phase(status: Status, step: Step, scene: Scene) -> StageState:
         case _:
             return StageState(
                 scene.doubt or "Wrong position",
-                _sentence(status.text),
+                "Nothing was recorded; see below.",
                 Tone.DOUBT,
-                None,
-                None,
-                pose,
-                *following,
+                pose=pose,
             )
 
 
@@ -288,8 +288,9 @@ def _mark(
 
 
 def _values(means: list[float]) -> str:
-    shown = "  ".join(fixed(value, 0 if abs(value) >= 100.0 else 1) for value in means[:3])
-    return f"{shown} …" if len(means) > 3 else shown
+    few = means if len(means) <= 3 else means[:2]
+    shown = "  ".join(fixed(value, 0 if abs(value) >= 100.0 else 1) for value in few)
+    return f"{shown} …" if len(means) > len(few) else shown
 
 
 def _sentence(text: str) -> str:

@@ -49,6 +49,7 @@ class MainGraph(QObject):
             channels = tuple(bench.channels[place] for place in self._columns)
             self._history = History(channels, bench.rate)
         self._charts.set_history(self._history)
+        self._charts.setVisible(self._history is not None)
         self._kept = -1
 
     def _on_block(self, block: SampleBlock) -> None:

@@ -1,6 +1,7 @@
 """The table of live means: Accelerations and Angular Rates."""
 
 from PySide6.QtCore import QEvent, QSize, Qt
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
@@ -28,13 +29,13 @@ class LiveTable(QTableWidget):
         self.setAlternatingRowColors(True)
         header = self.horizontalHeader()
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        header.setStretchLastSection(True)
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom)
         header.setSectionsClickable(False)
         self.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         self.verticalHeader().setDefaultSectionSize(round(1.6 * self.fontMetrics().height()))
         self.verticalHeader().setDefaultAlignment(Qt.AlignmentFlag.AlignCenter)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Maximum)
+        self.hide()
 
     def render(self, state: LiveState) -> None:
         """Show a state."""
@@ -66,6 +67,8 @@ class LiveTable(QTableWidget):
                 item = QTableWidgetItem("")
                 item.setTextAlignment(right)
                 self.setItem(row, column, item)
+        self.setVisible(bool(names))
+        self._share_width()
         self.updateGeometry()
 
     def _headers(self) -> list[str]:
@@ -83,6 +86,24 @@ class LiveTable(QTableWidget):
                 "\n" + self.tr("Termo (code)"),
             ]
         return headers
+
+    def _share_width(self) -> None:
+        """Columns share the width; where it is too little for them, each takes what it needs."""
+        header = self.horizontalHeader()
+        needed = max((header.sectionSizeHint(i) for i in range(header.count())), default=0)
+        fits = needed * header.count() <= self.viewport().width()
+        mode = QHeaderView.ResizeMode
+        header.setSectionResizeMode(mode.Stretch if fits else mode.ResizeToContents)
+
+    def needed_width(self) -> int:
+        """Width at which no column is cut."""
+        header = self.horizontalHeader()
+        columns = sum(header.sectionSizeHint(i) for i in range(header.count()))
+        return columns + self.verticalHeader().sizeHint().width() + 2 * self.frameWidth() + 2
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._share_width()
 
     def sizeHint(self) -> QSize:
         rows = self.rowCount() * self.verticalHeader().defaultSectionSize()

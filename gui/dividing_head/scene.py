@@ -44,6 +44,7 @@ def head_state(
         total=len(plan.steps) * settings.passes,
         last_mount="" if last is None else last.step.mount,
         doubt="Not taken" if pending is not None and pending.recognition.acceptable else "",
+        processed=results.state is not None,
     )
     return HeadState(
         layout=device.layout,

@@ -70,6 +70,7 @@ class HeadTab(QObject):
         from gui.widgets.strip_charts import StripCharts
 
         charts = StripCharts()
+        charts.setMinimumWidth(18 * charts.fontMetrics().height())
         self.view.graph_place.addWidget(charts, 1)
         MainGraph(charts, self.bench, self.sitting)
         root = self._services.root()

@@ -63,7 +63,7 @@ def matrices(calibration: Calibration) -> tuple[tuple[MatrixState, ...], ...]:
                 "U0 =",
                 _cells(triad.bias[:, None], half[:, :1]),
                 unit,
-                "U = K·a + U0   (2.2)",
+                "U = K·a + U0\n(2.2)",
             ),
         ),
         (
@@ -71,7 +71,7 @@ def matrices(calibration: Calibration) -> tuple[tuple[MatrixState, ...], ...]:
                 f"Q = 10{_raised(power)} ·",
                 _cells(q / 10.0**power, u_q / 10.0**power),
                 f"(m/s²)/{unit}",
-                "a = Q·(U − U0)   (2.5),   Q = K⁻¹   (2.6)",
+                "a = Q·(U − U0)   (2.5)\nQ = K⁻¹   (2.6)",
             ),
         ),
     )

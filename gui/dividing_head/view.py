@@ -3,6 +3,7 @@
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtGui import QKeySequence, QResizeEvent, QShortcut, QShowEvent
 from PySide6.QtWidgets import (
+    QBoxLayout,
     QComboBox,
     QFileDialog,
     QFrame,
@@ -16,6 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from gui.dividing_head.device import CLBACC
 from gui.dividing_head.live_view import LiveTable
 from gui.dividing_head.presenter import HeadPresenter
 from gui.dividing_head.results_view import ResultsView
@@ -26,6 +28,8 @@ from gui.widgets.stage import Stage
 from gui.widgets.step_list import StepList
 
 _LIVE_MS = 250
+_NO_LIMIT = 16777215
+"""Qt's own largest size of a widget."""
 _WIDE = 85
 """Width in line heights from which stage and results have room side by side."""
 
@@ -68,13 +72,16 @@ class HeadView(QWidget):
     def _build(self) -> None:
         unit = self.fontMetrics().height()
         self._left = self._build_left(unit)
+        graph = QWidget()
+        self.graph_place.setContentsMargins(0, 0, 0, 0)
+        graph.setLayout(self.graph_place)
+        self.graph_place.addWidget(self._graph_title)
         self._lower = QWidget()
-        row = QVBoxLayout(self._lower)
-        row.setContentsMargins(unit, unit // 2, unit, 0)
-        row.setSpacing(unit // 3)
-        row.addWidget(self.live)
-        row.addWidget(self._graph_title)
-        row.addLayout(self.graph_place, 1)
+        self._lower_box = QBoxLayout(QBoxLayout.Direction.TopToBottom, self._lower)
+        self._lower_box.setContentsMargins(unit, unit // 2, unit, 0)
+        self._lower_box.setSpacing(unit // 2)
+        self._lower_box.addWidget(self.live, 0)
+        self._lower_box.addWidget(graph, 1)
         self._middle = QSplitter(Qt.Orientation.Vertical)
         self._middle.addWidget(self.stage)
         self._middle.addWidget(self._lower)
@@ -82,6 +89,7 @@ class HeadView(QWidget):
         self._middle.setStretchFactor(1, 2)
         self._middle.setSizes([20 * unit, 22 * unit])
         self._middle.setChildrenCollapsible(False)
+        self.stage.setMinimumHeight(17 * unit)
         self._across = QSplitter(Qt.Orientation.Horizontal)
         for part in (self._left, self._middle, self.results):
             self._across.addWidget(part)
@@ -133,7 +141,7 @@ class HeadView(QWidget):
         self._new.clicked.connect(presenter.new_session)
         undo = QShortcut(QKeySequence(QKeySequence.StandardKey.Undo), self)
         undo.activated.connect(self._on_undo)
-        # A pedal that bounces: Space does nothing while an accumulation runs, wherever the focus is.
+        # A pedal that bounces: Space does nothing while an accumulation runs, wherever it goes.
         self._swallow = QShortcut(QKeySequence(Qt.Key.Key_Space), self)
 
     def render(self, state: HeadState) -> None:
@@ -161,9 +169,24 @@ class HeadView(QWidget):
         self._session.setReadOnly(not state.session_editable)
         self._session.setToolTip(state.folder or self.tr("Folder of the session; can be changed"))
         self._new.setEnabled(not state.session_editable and not state.locked.timing)
+        self._arrange(state.layout)
         if state.has_results != self.results.isVisibleTo(self):
             self.results.setVisible(state.has_results)
             self._place_results()
+
+    def _arrange(self, layout: str) -> None:
+        """The nine rows of an assembly stand beside the graph, the three of a triad above it."""
+        beside = layout == CLBACC
+        direction = QBoxLayout.Direction.LeftToRight if beside else QBoxLayout.Direction.TopToBottom
+        if direction is not self._lower_box.direction():
+            self._lower_box.setDirection(direction)
+            top = Qt.AlignmentFlag.AlignTop
+            self._lower_box.setAlignment(self.live, top if beside else Qt.AlignmentFlag(0))
+        if beside and self.live.columnCount():
+            self.live.setFixedWidth(self.live.needed_width())
+        else:
+            self.live.setMinimumWidth(0)
+            self.live.setMaximumWidth(_NO_LIMIT)
 
     def _place_results(self) -> None:
         """Results stand right of the stage; where that is too narrow, below it for the graph."""
@@ -176,6 +199,8 @@ class HeadView(QWidget):
             wanted.setStretchFactor(2, 2)
             unit = self.fontMetrics().height()
             self._middle.setSizes([12 * unit, 22 * unit, 30 * unit])
+            self.results.setMinimumWidth(38 * unit if wide else 0)
+            self._across.setSizes([21 * unit, 36 * unit, 60 * unit])
         self._lower.setVisible(wide or not shown)
 
     def showEvent(self, event: QShowEvent) -> None:

@@ -99,12 +99,13 @@ class RigPanel(QWidget):
         scroll.setFrameShape(QScrollArea.Shape.NoFrame)
         for field in (self._angle, self._celsius, self._rate, self._mount):
             field.setMinimumWidth(4 * unit)
-        bar = scroll.verticalScrollBar().sizeHint().width()
         scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         outer = QVBoxLayout(self)
         outer.setContentsMargins(0, 0, 0, 0)
         outer.addWidget(scroll)
-        self.setMinimumWidth(page.minimumSizeHint().width() + bar)
+        for button in (self._plug, self._burst, *self._fault_buttons.values(), self._go):
+            button.setMinimumWidth(2 * unit)
+        self.setMinimumWidth(17 * unit)
 
     def render(self, view: RigView | None) -> None:
         """Show a state."""
@@ -143,7 +144,7 @@ class RigPanel(QWidget):
             self._retranslate()
 
     def _retranslate(self) -> None:
-        self.operator.setText(self.tr("Operator turns the head for me"))
+        self.operator.setText(self.tr("Operator turns it for me"))
         words = (
             self.tr("Angle"),
             self.tr("Mount"),
@@ -154,6 +155,7 @@ class RigPanel(QWidget):
             label.setText(text)
         self._angle.setAccessibleName(self.tr("Angle of the head"))
         self._go.setText(self.tr("Turn"))
+        self.operator.setToolTip(self.tr("Somebody sets every position that the test asks for"))
         self._title.setText(self.tr("Faults"))
         self._plug.setText(self.tr("Unplug"))
         self._burst.setText(self.tr("Noise burst"))

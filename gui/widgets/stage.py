@@ -1,6 +1,6 @@
 """The main stage: what to do now, legible from three metres."""
 
-from PySide6.QtCore import QEvent, QRectF, QSize, Qt
+from PySide6.QtCore import QEvent, QRectF, QSize, Qt, QTimer
 from PySide6.QtGui import (
     QColor,
     QFont,
@@ -87,8 +87,9 @@ class Stage(QWidget):
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
-        if event.type() == QEvent.Type.FontChange:
-            self._size_detail()
+        if event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange):
+            # A new style sheet gives the label its plain font after this event.
+            QTimer.singleShot(0, self, self._size_detail)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

@@ -1,5 +1,44 @@
-"""Errors in methods that Qt calls fail the test instead of ending the process."""
+"""The real window on a folder of its own; faults in methods that Qt calls fail the test."""
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
 
 from gui.widgets.override_guard import guard_overrides
 
+# Before any class of the window is defined.
 guard_overrides()
+
+if TYPE_CHECKING:
+    from tests.gui.window_driver import Driver
+
+
+@pytest.fixture
+def open_app(qtbot: QtBot, tmp_path: Path) -> "Iterator[Callable[[], Driver]]":
+    """Start the program as often as a test wants, always on the same folder of sessions."""
+    from gui.app import Application, Options
+    from tests.gui.window_driver import Driver
+
+    drivers: list[Driver] = []
+
+    def start() -> Driver:
+        qt = QApplication.instance()
+        assert isinstance(qt, QApplication)
+        options = Options(root=tmp_path / "data", settings=tmp_path / "set.json", quiet=True)
+        app = Application(qt, options)
+        qtbot.addWidget(app.window)
+        with qtbot.waitSignal(app.ready):
+            app.start()
+        app.window.activateWindow()
+        qtbot.waitUntil(app.window.isActiveWindow)
+        driver = Driver(app, qtbot)
+        drivers.append(driver)
+        return driver
+
+    yield start
+    for driver in drivers:
+        driver.app.close()

@@ -46,10 +46,10 @@ def test_a_killed_session_is_continued(
     assert kept[:3] == [1, 2, 3]
 
     operator = open_app()
-    operator.until(lambda: operator.app.messages.current is not None)
+    told = "A session of PW09 is not finished"
+    operator.until(lambda: getattr(operator.app.messages.current, "what", "") == told)
     banner = operator.app.messages.current
     assert banner is not None
-    assert banner.what == "A session of PW09 is not finished"
     assert f"{len(kept)} of 8" in banner.meaning
     operator.answer("Continue it")
     assert operator.count == len(kept)
