@@ -17,7 +17,7 @@ from core.procedures.slow_noise import RateNoise, combined_covariance, in_turn
 from core.units import DEG_PER_RAD, RAD_PER_DEG
 
 QUARTERS = (0.0, 90.0, 180.0, 270.0)
-_POSSIBLE_HEADINGS = (0.0, 45.0, 90.0, 135.0)
+_POSSIBLE_HEADINGS = (0.0, 45.0, 90.0, 135.0, 180.0, 225.0, 270.0, 315.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,6 +104,8 @@ def held_uncertainty(
     noise: RateNoise, seeking: Seeking, average_s: float, hold_s: FloatArray
 ) -> FloatArray:
     """Standard uncertainty (n,) of a heading that was found and then kept, deg.
+
+    With memory in the noise it depends a little on the heading itself; this is the worst.
 
     Parameters
     ----------

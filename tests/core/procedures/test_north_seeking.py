@@ -89,3 +89,21 @@ def test_the_figures_of_the_source():
     assert predicted[0] == pytest.approx(0.1, abs=0.01)
     assert np.std(kept) == pytest.approx(predicted[1], rel=0.12)
     assert predicted[1] < 0.5
+
+
+def test_a_heading_kept_by_a_walking_gyro():
+    """The drift found at the start is the better the less the walk has gone on since."""
+    rng = np.random.default_rng(8)
+    walk, hold, dt = NoiseModel(rate_random_walk=1e-6), 300.0, 0.5
+    rate = np.cumsum(1e-6 * np.sqrt(dt) * rng.standard_normal((2000, 720)), axis=1)
+    means = np.column_stack([rate[:, a : a + 20].mean(axis=1) for a in (10, 40, 70, 100)])
+    delta = np.radians([0.0, 90.0, 180.0, 270.0])
+    inverse = np.linalg.pinv(np.column_stack([np.cos(delta), -np.sin(delta), np.ones(4)]))
+    north, east, drift = inverse @ means.T
+    kept = rate[:, 120:].sum(axis=1) * dt - drift * hold
+    found = held_uncertainty(walk, KYIV, 10.0, np.array([hold]))[0]
+    spread = [
+        np.std(np.degrees((np.cos(psi) * east - np.sin(psi) * north) / LEVEL_DPS) + kept)
+        for psi in np.radians(np.arange(0.0, 360.0, 45.0))
+    ]
+    assert found == pytest.approx(max(spread), rel=0.05)
