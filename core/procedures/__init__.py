@@ -24,4 +24,16 @@ accuracy
     `angle_errors`, `accuracy_notes`, and `conformity`: limits and the decision rule.
 comparison
     Gyros side by side: the table of lab 6.
+six_position, thermal
+    Triads in six orthogonal positions; sensors over temperature (source 002).
+fourier
+    One accelerometer turned through all angles (source 000).
+drift
+    Drift after switching on, as a table for a microcontroller (source 003).
+gyrocompass, north_seeking
+    Heading by a turned gyro, and how long to average for it; `slow_noise`: noise with memory.
+prediction
+    Which procedure, and how well, before anything is measured.
+propagation
+    Uncertainty of what is computed from fitted parameters.
 """
