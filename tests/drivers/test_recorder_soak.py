@@ -9,6 +9,7 @@ from drivers.decoders import make_decoder
 from drivers.reader import Reader
 from drivers.recorder import Recorder, RecordLayout, wire_item
 from drivers.recording import read_recording
+from drivers.records import open_record, record_means
 from drivers.transport import opener
 from drivers.virtual.address import rig_of
 from tests.drivers.links import samples
@@ -58,3 +59,7 @@ def test_every_good_frame_is_in_the_record_exactly_once(tmp_path):
     again = read_recording(tmp_path / "soak.calrec", from_bytes=True)
     assert np.array_equal(again.index(), index)
     assert np.array_equal(again.column(0), record.column(0))
+    (mean,) = record_means(open_record(tmp_path / "soak.calrec"))
+    assert mean.n == len(index)
+    assert mean.mean[0] == pytest.approx(record.column(0).mean(), rel=1e-12)
+    assert 0.0 < mean.se[0] < 1e-4
