@@ -43,7 +43,7 @@ class LiveRecord(QObject):
         self._jobs = jobs
         self._allan: LiveAllan | None = None
         self._place = 0
-        self._factor = 1.0
+        self.factor = 1.0
         self._next = -1
         self._fitting = False
         self._seen = -1
@@ -175,7 +175,7 @@ class LiveRecord(QObject):
         taken = series.sampled(self._place, rate, self.request.scale_factor)
         self.channels, self.channel = block.channels, block.channels[self._place]
         self.unit = self.request.unit or taken.unit or "code"
-        self._factor, self.rate = taken.scale_factor, rate
+        self.factor, self.rate = taken.scale_factor, rate
         self._allan = LiveAllan(rate)
         self.changed.emit()
 
@@ -188,7 +188,7 @@ class LiveRecord(QObject):
         for start, stop in zip([0, *cuts], [*cuts, len(index)], strict=True):
             if start:
                 self._allan.cut()
-            self._allan.push(values[start:stop] / self._factor)
+            self._allan.push(values[start:stop] / self.factor)
         self._next = int(index[-1]) + 1
 
 

@@ -11,7 +11,7 @@ from core.records.noise_study import NoiseStudy
 from gui.allan.library import Entry
 from gui.allan.live import LiveRecord
 from gui.allan.state import CurveState, LineState, PictureState
-from gui.allan.texts import titled
+from gui.allan.texts import plain_unit, titled
 
 LIVE_COLOUR = 6
 _SLOPES = {-2: "−1", -1: "−½", 0: "0", 1: "+½", 2: "+1"}
@@ -30,25 +30,23 @@ def picture_of(
     live_key : which key means the live record
     """
     shown = [(e.key, e.study, e.colour) for e in entries if e.shown and e.study is not None]
-    curves: list[CurveState] = []
-    units: list[str] = []
-    # The chosen one is drawn last, over the others.
-    for _, study, colour in sorted(shown, key=lambda one: one[0] == current):
-        curves += _of_study(study, colour)
-        units.append(study.unit)
+    drawn: list[tuple[int, str, list[CurveState]]] = [
+        (key, study.unit, list(_of_study(study, colour))) for key, study, colour in shown
+    ]
     if live.found is not None:
-        curves.append(
-            _curve(f"{live.device} {live.channel.name}, live", LIVE_COLOUR, live.found.curve)
-        )
-        units.append(live.unit)
-    if not curves:
+        name = f"{live.device} {live.channel.name}, live"
+        drawn.append((live_key, live.unit, [_curve(name, LIVE_COLOUR, live.found.curve)]))
+    if not drawn:
         return None
+    # The chosen one is drawn last, over the others; the cursor reads it.
+    drawn.sort(key=lambda one: one[0] == current)
+    curves = [curve for _, _, of_one in drawn for curve in of_one]
     chosen = next((study.published for key, study, _ in shown if key == current), None)
     if current == live_key:
         chosen = live.found
-    names = list(dict.fromkeys(units))
+    units = list(dict.fromkeys(plain_unit(unit) for _, unit, _ in reversed(drawn)))
     lines = tuple(_lines(chosen)) if chosen is not None else ()
-    return PictureState(names[0], tuple(curves), lines, ", ".join(names[1:]))
+    return PictureState(units[0], tuple(curves), lines, ", ".join(units[1:]))
 
 
 def _of_study(study: NoiseStudy, colour: int) -> Iterator[CurveState]:

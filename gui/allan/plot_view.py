@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QWidget
 from core.allan.confidence import local_slopes
 from core.arrays import FloatArray
 from gui.allan.state import CurveState, PictureState
-from gui.allan.texts import plain_unit, short
+from gui.allan.texts import short
 from gui.widgets.colours import Theme
 from gui.widgets.plot import Plot
 from gui.widgets.theme import current_theme
@@ -47,9 +47,7 @@ class AllanPlot(Plot):
             return
         self._state, self._drawn = state, (band, terms)
         self.clear_items()
-        self.set_labels(
-            "τ, s", f"σ(τ), {plain_unit(state.unit)}" + (state.mixed and f"; {state.mixed}")
-        )
+        self.set_labels("τ, s", f"σ(τ), {state.unit}" + (state.mixed and f"; {state.mixed}"))
         for curve in state.curves:
             if band and not curve.before:
                 self.add_band(curve.taus, curve.lower, curve.upper, curve.colour)
@@ -133,7 +131,7 @@ class AllanPlot(Plot):
         tau, sigma = float(curve.taus[self._at]), float(curve.deviation[self._at])
         self._line.setPos(math.log10(tau))
         self._mark.setData([math.log10(tau)], [math.log10(sigma)])
-        unit = "" if self._state is None else plain_unit(self._state.unit)
+        unit = "" if self._state is None else self._state.unit
         slope = f", slope {self._slopes[self._at]:+.2f}".replace("-", "\N{MINUS SIGN}")
         low, high = (float(edge[self._at]) for edge in (curve.lower, curve.upper))
         self.read.emit(

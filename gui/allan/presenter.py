@@ -176,7 +176,8 @@ class AllanPresenter(QObject):
         live = self._live
         if self._current == LIVE_KEY and live.exists:
             names = tuple(channel.name for channel in live.channels)
-            return ChoiceState(live.request, names, live.channel.name, live.rate, live.unit, True)
+            name, rate, unit = live.channel.name, live.rate, live.unit
+            return ChoiceState(live.request, names, name, rate, unit, live.factor, True)
         entry = self._library.get(self._current)
         if entry is None or entry.series is None:
             return None
@@ -189,6 +190,7 @@ class AllanPresenter(QObject):
             channel=entry.request.channel or main,
             rate=series.rate if study is None else study.rate,
             unit="" if study is None else study.unit,
+            factor=1.0 if study is None else study.scale_factor,
             live=False,
         )
 

@@ -77,6 +77,7 @@ class SettingsView(QWidget):
         self.rate.setValue(request.rate)
         self.rate.setSpecialValueText(f"{state.rate:.6g} Hz" if state.rate else self.tr("state it"))
         self.scale.setValue(request.scale_factor)
+        self.scale.setSpecialValueText(f"{state.factor:.6g}")
         self.bandwidth.setValue(request.bandwidth)
         _fill(self.unit, _UNITS, request.unit)
         self.unit.setItemText(0, state.unit or "code")
@@ -140,7 +141,6 @@ class SettingsView(QWidget):
             if buddy is not None:
                 buddy.setAccessibleName(text)
                 buddy.setToolTip(tip)
-        self.scale.setSpecialValueText(self.tr("as the file says"))
         self.bandwidth.setSpecialValueText(self.tr("found"))
         self.increments.setText(self.tr("Angle increments (fit Q)"))
         self.increments.setToolTip(

@@ -40,6 +40,7 @@ class ChoiceState:
     channel : the one that is analysed
     rate : of the file, Hz; 0 while unknown
     unit : of the samples as they are analysed
+    factor : scale factor by which they are divided
     live : the record is the running device, which tells its own rate and is not regressed
     """
 
@@ -48,6 +49,7 @@ class ChoiceState:
     channel: str
     rate: float
     unit: str
+    factor: float
     live: bool
 
 
@@ -81,7 +83,7 @@ class PictureState:
 
     Parameters
     ----------
-    unit : of the deviation; of several units the first, and `mixed` is told
+    unit : of the chosen curve, as it is printed
     curves : those of the records that are shown; the chosen record's stands last
     lines : fitted terms of the chosen record
     mixed : other units that stand in the same plot

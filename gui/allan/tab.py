@@ -46,6 +46,7 @@ class AllanTab(QObject):
         from gui.allan.plot_view import AllanPlot
 
         self.view.put_plot(AllanPlot())
+        self._on_library()
         self._services.jobs.start("scipy", _warm_up, self._on_warm, self._on_failed)
 
     def why_busy(self) -> str:

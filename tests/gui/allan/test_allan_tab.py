@@ -59,6 +59,10 @@ def test_several_records_are_overlaid_and_compared(
     assert state.findings is not None
     compared = state.findings.tables[-1]
     assert compared.header[2:] == ("25-143 GyroOut", "25-144 GyroOut")
+    tab.presenter.choose(state.rows[0].key)
+    chosen = tab.presenter.state.picture
+    assert chosen is not None
+    assert chosen.curves[-1].name == "25-143 GyroOut"
     tab.view.list.item(0).setCheckState(Qt.CheckState.Unchecked)
     picture = tab.presenter.state.picture
     assert picture is not None
