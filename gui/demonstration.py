@@ -24,6 +24,7 @@ from gui.widgets.theme import apply_theme
 _SIZE = QSize(1280, 800)
 _PATIENCE_S = 240.0
 _SPEED = 20
+_TAB = "Dividing head"
 _PAUSE_S = 0.005
 
 
@@ -79,7 +80,8 @@ class _Scene:
         window = application.window
         window.resize(_SIZE)
         application.start()
-        head = application.tabs["Dividing head"]
+        self._until(lambda: _TAB in application.tabs, "the tabs did not come")
+        head = application.tabs[_TAB]
         if not isinstance(head, HeadTab):
             raise TypeError("the first tab is the dividing head")
         sitting = head.sitting

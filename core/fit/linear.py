@@ -2,7 +2,7 @@
 
 Sigma is an input where the rows bring it (accumulations, stated setting errors), and chi-square
 is then an output that may reject the model. Rows without a standard error (the legacy files) are
-weighted alike beside the stated setting errors, and their common scatter is found from the
+weighted alike, and their common scatter beside the stated setting errors is found from the
 residuals, with Student t for the few degrees of freedom that are left.
 
 A standard error tells the noise within an accumulation, not the drift from one to the next. Where
@@ -141,8 +141,11 @@ class _State:
         elif n == p:
             variance = parts.setting + 1.0
         elif np.any(parts.setting > 0):
+            # The estimates stay those of equal weights, as the pair formulas give them; only their
+            # uncertainties know that the settings act on some rows more than on others.
             scatter = common_scatter(design.matrix, rows.y, parts.setting)
             variance = scatter.variance
+            return cls(parts, variance, scatter, design.solve(rows.y, np.ones_like(variance)))
         else:
             residual = rows.y - design.matrix @ design.solve(rows.y, parts.setting).values
             common = max(float(residual @ residual) / (n - p), rounding_variance(rows.y))

@@ -74,7 +74,7 @@ class Scatter:
 
 
 def common_scatter(design: FloatArray, y: FloatArray, setting: FloatArray) -> Scatter:
-    """Estimate the common variance beside the setting variances.
+    """Estimate the common variance beside the setting variances, for equally weighted rows.
 
     Parameters
     ----------
@@ -90,9 +90,7 @@ def common_scatter(design: FloatArray, y: FloatArray, setting: FloatArray) -> Sc
     low, high = (math.log(scale) + math.log(10.0) * decades for decades in _DECADES)
     while True:
         grid = np.linspace(low, high, _POINTS)
-        precision, centres, covariance, likelihood, trace = _solutions(
-            np.exp(grid), q, residual, setting
-        )
+        precision, _, _, likelihood, trace = _solutions(np.exp(grid), q, residual, setting)
         score = likelihood + np.log(trace) + grid  # the grid is even in log s^2
         score = score - score.max()
         live = np.flatnonzero(score > np.log(_COUNTS))
@@ -102,7 +100,11 @@ def common_scatter(design: FloatArray, y: FloatArray, setting: FloatArray) -> Sc
         high = float(grid[min(int(live[-1]) + 1, _POINTS - 1)])
     weights = np.exp(score)
     weights /= weights.sum()
-    return _scatter(weights, precision, centres, covariance, q, r, residual)
+    # The estimates stay those of equal weights, unbiased whatever the variances are.
+    inverse = np.linalg.inv(r) @ q.T
+    spread = np.sqrt((1.0 / precision) @ (inverse**2).T)
+    still = np.zeros_like(spread)
+    return Scatter(1.0 / (weights @ precision), weights, still, spread, still[0])
 
 
 def extra_scatter(design: FloatArray, y: FloatArray, known: FloatArray) -> Scatter:

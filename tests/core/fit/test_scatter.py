@@ -45,27 +45,23 @@ def test_half_widths_agree_with_adaptive_integration(seed: int):
     setting = np.linspace(-1.0, 1.0, 11) ** 2 * 0.09
     y = sample(seed, 0.02, setting)
     scatter = common_scatter(X, y, setting)
-    centre = np.linalg.lstsq(
-        X / np.sqrt(scatter.variance)[:, None], y / np.sqrt(scatter.variance), rcond=None
-    )[0]
+    inverse = np.linalg.pinv(X)
 
-    def parts(log_s2: float) -> tuple[float, np.ndarray, np.ndarray]:
+    def parts(log_s2: float) -> tuple[float, np.ndarray]:
         w = 1.0 / (setting + np.exp(log_s2))
         covariance = np.linalg.inv(X.T @ (X * w[:, None]))
-        beta = covariance @ X.T @ (w * y)
         p = np.diag(w) - (w[:, None] * X) @ covariance @ (w[:, None] * X).T
         log_density = (np.log(w).sum() + np.linalg.slogdet(covariance)[1] - y @ p @ y) / 2
         density = np.exp(log_density - 20.0) * np.trace(p) * np.exp(log_s2)
-        return density, beta, np.sqrt(np.diag(covariance))
+        # The estimates are those of equal weights: unbiased, with this deviation.
+        return density, np.sqrt(inverse**2 @ (setting + np.exp(log_s2)))
 
     def mass(of: int | None, width: float) -> float:
         def inside(log_s2: float) -> float:
-            density, beta, u = parts(log_s2)
+            density, u = parts(log_s2)
             if of is None:
                 return density
-            over = (centre[of] + width - beta[of]) / u[of]
-            under = (centre[of] - width - beta[of]) / u[of]
-            return density * (stats.norm.cdf(over) - stats.norm.cdf(under))
+            return density * (stats.norm.cdf(width / u[of]) - stats.norm.cdf(-width / u[of]))
 
         return integrate.quad(inside, -22.0, 6.0, limit=400, epsabs=0.0, epsrel=1e-9)[0]
 

@@ -176,6 +176,14 @@ def test_standard_errors_that_not_all_rows_have_are_said_to_be_unused() -> None:
     assert fits[1].sigma_source == "residual"
 
 
+def test_a_stated_head_does_not_move_the_pair_formulas() -> None:
+    run = run_of(PLANS["pointer_8"], TABLE_2_2, ("x", "y", "z"))
+    stated = replace(KYIV, head_u_arcsec=10.0)
+    plain, with_head = calibrate(run, KYIV).triad(), calibrate(run, stated).triad()
+    np.testing.assert_array_equal(with_head.k, plain.k)
+    assert calibrate(run, stated).conditions.head_u_arcsec == 10.0
+
+
 def test_permuted_channels_are_suspected() -> None:
     run = run_of(PLANS["pointer_8"], TABLE_2_2[:, [1, 0, 2]], ("x", "y", "z"))
     assert "wrong_axis" in {note.subject for note in calibrate(run, KYIV).notes}
@@ -240,7 +248,7 @@ def test_three_columns_on_one_axis_are_no_triad() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("mode", ["residual", "known", "setting", "drifting"])
+@pytest.mark.parametrize("mode", ["residual", "worn head", "known", "setting", "drifting"])
 def test_intervals_cover_the_truth(mode: str) -> None:
     """2000 sessions of 8 positions, hidden truth, noise as stated."""
     rng = np.random.default_rng(77)
@@ -249,21 +257,21 @@ def test_intervals_cover_the_truth(mode: str) -> None:
     sigma, head_arcsec = 2.0, 60.0
     conditions = Conditions(
         g_mps2=G,
-        head_u_arcsec=head_arcsec if mode == "setting" else np.nan,
+        head_u_arcsec=head_arcsec if mode in ("setting", "worn head") else np.nan,
         repeatability=np.nan if mode == "drifting" else 0.0,
     )
     hits = np.zeros((3, 4))
     trials = 2000
     for _ in range(trials):
         y = naive_output(plan, K_2_2, bias)
-        if mode == "setting":
+        if mode in ("setting", "worn head"):
             off = rng.normal(0.0, head_arcsec / 3600.0, len(plan.steps))
             steps = [
                 replace(s, head_deg=s.head_deg + d) for s, d in zip(plan.steps, off, strict=True)
             ]
             y = naive_output(plan.with_steps(tuple(steps)), K_2_2, bias)
         y = y + rng.normal(0.0, sigma, y.shape)
-        se = None if mode == "residual" else np.full(y.shape, sigma)
+        se = None if mode in ("residual", "worn head") else np.full(y.shape, sigma)
         if mode == "drifting":  # as much again from one accumulation to the next, not stated
             y = y + rng.normal(0.0, sigma, y.shape)
         calibration = calibrate(run_of(plan, y, ("x", "y", "z"), se), conditions)
@@ -274,5 +282,9 @@ def test_intervals_cover_the_truth(mode: str) -> None:
         factor = np.array([student_t(0.95, float(dof)) for dof in triad.t_dof])[:, None]
         hits += np.abs(estimate - truth) < factor * u
     coverage = hits / trials
+    if mode == "worn head":
+        # Four residuals cannot tell the noise from the settings: never too narrow, often too wide.
+        assert np.all(coverage > 0.93), coverage
+        return
     assert np.all((coverage > 0.93) & (coverage < 0.97)), coverage
     assert 0.94 < coverage.mean() < 0.96
