@@ -131,7 +131,7 @@ def calibrate_tumble(
             f"the run holds the mounts {', '.join(sorted(set(run.mount)))}; a tumble is the turn of"
             " one mount, choose its rows"
         )
-    stimulus = stimulus_of(run, conditions.g_mps2, base=base)
+    stimulus = _stimulus(run, conditions.g_mps2, base)
     axis, cross = _plane(run, stimulus, channel)
     place, other = AXES.index(axis), AXES.index(cross)
     alpha = np.arctan2(stimulus.a[:, place], stimulus.a[:, other]) * DEG_PER_RAD % 360.0
@@ -176,6 +176,22 @@ def calibrate_tumble(
         ),
         overlap=overlap,
         notes=(*run.notes, *fit.notes, *_doubts(alpha, overlap, remove_drift)),
+    )
+
+
+def _stimulus(run: Run, g: float, base: BaseOrientation) -> Stimulus:
+    """What acted, each head angle computed once however many realisations there are."""
+    missing = np.flatnonzero(~np.isfinite(run.head_deg))
+    if missing.size:
+        raise FitError(f"row {missing[0] + 1}: the head angle is missing")
+    _, first, again = np.unique(run.head_deg, return_index=True, return_inverse=True)
+    once = stimulus_of(run.rows(first.astype(np.int64)), g, base=base)
+    return Stimulus(
+        a=once.a[again],
+        w=once.w[again],
+        da_dhead=once.da_dhead[again],
+        dw_drate=once.dw_drate[again],
+        columns={"order": run.order.astype(np.float64)},
     )
 
 

@@ -155,6 +155,9 @@ def test_bad_input_is_refused_in_words(paper):
         calibrate_tumble(run, Conditions(g_mps2=-9.8))
     with pytest.raises(FitError, match="not a number"):
         calibrate_tumble(replace(run, y=np.where(run.order[:, None] == 3, np.nan, run.y)), UNIT_G)
+    lost = np.where(run.order == 5, np.nan, run.head_deg)
+    with pytest.raises(FitError, match="row 6: the head angle is missing"):
+        calibrate_tumble(replace(run, head_deg=lost), UNIT_G)
     with pytest.raises(FitError, match="saturated"):
         calibrate_tumble(replace(run, y=np.minimum(run.y, 3.3)), UNIT_G)
     noise = 1e-3 * np.random.default_rng(4).standard_normal((36, 1))
