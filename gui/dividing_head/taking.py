@@ -59,7 +59,7 @@ class Taking(QObject):
         """Number of the step that the operator picked, until it is measured."""
         self._repeat_of: Position | None = None
         self._raw_first = 0
-        self._was = Phase.READY
+        self._was: tuple[Phase, tuple[int, ...]] = (Phase.READY, ())
         self._flash = QTimer(self, singleShot=True, interval=_FLASH_MS)
         self._flash.timeout.connect(self._end_flash)
         sitting.walk.moved.connect(self._on_moved)
@@ -134,17 +134,19 @@ class Taking(QObject):
 
     def _on_moved(self) -> None:
         status = self._sitting.walk.status
-        if status is None or status.phase is self._was:
+        if status is None or (status.phase, status.candidates) == self._was:
             return
-        self._was = status.phase
-        if status.phase is Phase.MEASURING:
+        before, self._was = self._was[0], (status.phase, status.candidates)
+        if status.phase is Phase.WRONG:
+            if self.pending is None and status.text and status.step is not None:
+                banner = elsewhere_banner(status.text, status.candidates, status.step)
+                self._messages.show(SOURCE, banner)
+                if before is not Phase.WRONG:
+                    self.cue.emit("error")
+        elif status.phase is Phase.MEASURING:
             self.drop()
             self._raw_first = self._bench.raw_size
             self.cue.emit("start")
-        elif status.phase is Phase.WRONG and status.candidates and status.step is not None:
-            banner = elsewhere_banner(status.text, status.candidates, status.step)
-            self._messages.show(SOURCE, banner)
-            self.cue.emit("error")
         elif status.phase in (Phase.MOVING, Phase.SETTLING) and self.pending is None:
             self._messages.clear(SOURCE)
 
