@@ -31,12 +31,13 @@ class MainGraph(QObject):
         self._history: History | None = None
         self._columns: list[int] = []
         self._kept = -1
+        self._fresh = False
         charts.track(_TAIL_S)
         bench.block.connect(self._on_block)
         bench.changed.connect(self._on_device)
         sitting.changed.connect(self._on_positions)
         self._timer = QTimer(self)
-        self._timer.timeout.connect(charts.refresh)
+        self._timer.timeout.connect(self._refresh)
         self._timer.start(_FRAME_MS)
         self._on_device()
 
@@ -55,6 +56,12 @@ class MainGraph(QObject):
     def _on_block(self, block: SampleBlock) -> None:
         if self._history is not None:
             self._history.append(block.index, block.data[:, self._columns])
+            self._fresh = True
+
+    def _refresh(self) -> None:
+        if self._fresh:
+            self._fresh = False
+            self._charts.refresh()
 
     def _on_positions(self) -> None:
         history = self._history

@@ -1,9 +1,7 @@
 """The results page beside the stage: tables with their equations, residuals, doubts, export."""
 
-from PySide6.QtCore import QEvent, QRectF, Qt, Signal
-from PySide6.QtGui import QPainter, QPaintEvent
+from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtWidgets import (
-    QComboBox,
     QFrame,
     QHBoxLayout,
     QLabel,
@@ -15,14 +13,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from core.errors import Note
 from gui.dividing_head.processing import ResultsState
-from gui.widgets.icons import paint_severity, tone_of_severity
+from gui.widgets.fields import ChoiceField
 from gui.widgets.matrix_view import MatrixView
+from gui.widgets.note_line import NoteLine
 from gui.widgets.residual_plot import ResidualPlot
 from gui.widgets.result_table import ResultTable
 from gui.widgets.states import MatrixState, TableState
-from gui.widgets.theme import current_theme
 
 
 class ResultsView(QWidget):
@@ -60,7 +57,7 @@ class ResultsView(QWidget):
         scroll.setWidgetResizable(True)
         scroll.setFrameShape(QFrame.Shape.NoFrame)
         scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self._formats, self._name, self._export = QComboBox(), QLineEdit(), QPushButton()
+        self._formats, self._name, self._export = ChoiceField(), QLineEdit(), QPushButton()
         self._formats.activated.connect(self._on_format)
         self._name.returnPressed.connect(self.export)
         self._export.clicked.connect(self.export)
@@ -153,31 +150,3 @@ class ResultsView(QWidget):
         self._formats.setAccessibleName(self.tr("Export format"))
         self._name.setAccessibleName(self.tr("File of the export"))
         self._export.setText(self.tr("Export"))
-
-
-class NoteLine(QWidget):
-    """A doubt with its sign."""
-
-    def __init__(self, note: Note, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._note = note
-        unit = self.fontMetrics().height()
-        text = QLabel(_sentence(note.text))
-        text.setWordWrap(True)
-        text.setTextFormat(Qt.TextFormat.PlainText)
-        text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(round(1.8 * unit), 0, 0, 0)
-        row.addWidget(text, 1)
-
-    def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002
-        unit = self.fontMetrics().height()
-        painter = QPainter(self)
-        tone = tone_of_severity(self._note.severity)
-        sign = QRectF(0.2 * unit, 0.1 * unit, 1.1 * unit, 1.1 * unit)
-        paint_severity(painter, sign, self._note.severity, current_theme().tones[tone])
-        painter.end()
-
-
-def _sentence(text: str) -> str:
-    return text if text[-1:] in ".!?" else f"{text}."

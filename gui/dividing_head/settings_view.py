@@ -7,15 +7,12 @@ from PySide6.QtCore import QEvent, Signal
 from PySide6.QtWidgets import (
     QButtonGroup,
     QCheckBox,
-    QComboBox,
-    QDoubleSpinBox,
     QGridLayout,
     QHBoxLayout,
     QLabel,
     QLineEdit,
     QPushButton,
     QRadioButton,
-    QSpinBox,
     QVBoxLayout,
     QWidget,
 )
@@ -24,6 +21,7 @@ from core.plans.orientation import BaseOrientation
 from gui.dividing_head.device import CLBACC
 from gui.dividing_head.settings import TILTERS, HeadSettings, Tilter
 from gui.dividing_head.state import HeadState
+from gui.widgets.fields import ChoiceField, NumberField
 
 MOUNTS = ("X_from", "X_to", "Y_from", "Y_to", "Z_from", "Z_to")
 
@@ -42,9 +40,7 @@ class SettingsView(QWidget):
         self._captions: list[tuple[QLabel, Callable[[], str]]] = []
         self._accumulation = self._number(0.1, 3600.0, 1, 1.0)
         self._settle = self._number(0.0, 600.0, 1, 0.5)
-        self._passes = QSpinBox()
-        self._passes.setRange(1, 9)
-        self._passes.valueChanged.connect(self._on_edited)
+        self._passes = self._number(1, 9, 0, 1)
         self._g = self._number(9.7, 9.9, 5, 0.0001)
         self._u_g = self._number(0.0, 0.1, 5, 0.0001)
         self._u_head = self._number(0.0, 3600.0, 1, 1.0)
@@ -54,19 +50,19 @@ class SettingsView(QWidget):
         self._thermo_settings.setCheckable(True)
         self._cycle = QLineEdit()
         self._cycle.editingFinished.connect(self._on_edited)
-        self._temperature = QComboBox()
+        self._temperature = ChoiceField()
         self._temperature.activated.connect(self._on_edited)
         self._modes = QButtonGroup(self)
         self._mode_buttons = [QRadioButton() for _ in TILTERS]
         for place, button in enumerate(self._mode_buttons):
             self._modes.addButton(button, place)
         self._modes.idClicked.connect(self._on_edited)
-        self._tilter_number, self._tilter_position = QSpinBox(), QSpinBox()
-        for box in (self._tilter_number, self._tilter_position):
-            box.setRange(1, 99)
-            box.valueChanged.connect(self._on_edited)
+        self._tilter_number, self._tilter_position = (self._number(1, 99, 0, 1) for _ in range(2))
         self._tilt = [self._number(-360.0, 360.0, 3, 1.0) for _ in range(3)]
-        self._free_mount, self._free_angle = QComboBox(), self._plain_number(-720.0, 720.0, 3, 15.0)
+        self._free_mount, self._free_angle = (
+            ChoiceField(),
+            self._plain_number(-720.0, 720.0, 3, 15.0),
+        )
         self._add = QPushButton()
         self._add.clicked.connect(self._on_add)
         self._build()
@@ -75,17 +71,14 @@ class SettingsView(QWidget):
 
     # --- building ---------------------------------------------------------------------------------
 
-    def _plain_number(self, low: float, high: float, decimals: int, step: float) -> QDoubleSpinBox:
-        box = QDoubleSpinBox()
-        box.setRange(low, high)
-        box.setDecimals(decimals)
+    def _plain_number(self, low: float, high: float, decimals: int, step: float) -> NumberField:
+        box = NumberField(low, high, decimals)
         box.setSingleStep(step)
-        box.setKeyboardTracking(False)
         # The widest number of the range would claim a place that the column does not have.
         box.setMinimumWidth(4 * self.fontMetrics().height())
         return box
 
-    def _number(self, low: float, high: float, decimals: int, step: float) -> QDoubleSpinBox:
+    def _number(self, low: float, high: float, decimals: int, step: float) -> NumberField:
         box = self._plain_number(low, high, decimals, step)
         box.valueChanged.connect(self._on_edited)
         return box
@@ -289,7 +282,7 @@ class SettingsView(QWidget):
                 self._settings,
                 accumulation_s=self._accumulation.value(),
                 settle_s=self._settle.value(),
-                passes=self._passes.value(),
+                passes=round(self._passes.value()),
                 g_mps2=self._g.value(),
                 u_g_mps2=self._u_g.value(),
                 head_u_arcsec=self._u_head.value(),
@@ -299,8 +292,8 @@ class SettingsView(QWidget):
                 visit=max(0, self._temperature.currentIndex()),
                 tilter=Tilter(
                     TILTERS[self._modes.checkedId()],
-                    self._tilter_number.value(),
-                    self._tilter_position.value(),
+                    round(self._tilter_number.value()),
+                    round(self._tilter_position.value()),
                     *tilt,
                 ),
             )

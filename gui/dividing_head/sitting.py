@@ -14,7 +14,7 @@ from core.records.session.events import Position
 from core.records.session.start import SessionStart
 from gui.dividing_head.bench import Bench
 from gui.dividing_head.counts import Progress, progress_of, visits_of
-from gui.dividing_head.device import CLBACC
+from gui.dividing_head.device import CLBACC, HeadDevice
 from gui.dividing_head.keeper import Keeper, free_folder, proposed_name, start_document
 from gui.dividing_head.measure import Course, Walk
 from gui.dividing_head.settings import HeadSettings
@@ -60,6 +60,7 @@ class Sitting(QObject):
         self.walk = Walk(self)
         self._name = ""
         self._visits: dict[int, int] = {}
+        self._known: tuple[str, Nominal | None] | None = None
         self.walk.moved.connect(self.changed)
         bench.changed.connect(self._on_device)
         bench.block.connect(self.walk.on_block)
@@ -148,7 +149,7 @@ class Sitting(QObject):
             self.walk.end()
         else:
             progress = self.progress
-            nominal = self._nominal_of(self._bench.name)
+            nominal = self._known_of(device)
             course = Course(self.plan.steps, device, self.settings, self._bench.rate, nominal)
             self.walk.begin(course, progress.before, progress.done, current)
         self.changed.emit()
@@ -177,7 +178,7 @@ class Sitting(QObject):
     def leave(self) -> None:
         """End the session; the next one begins with nothing."""
         self.close()
-        self._name, self._visits = "", {}
+        self._name, self._visits, self._known = "", {}, None
         self._messages.clear(_OTHER)
         self.rebegin()
 
@@ -193,6 +194,16 @@ class Sitting(QObject):
         if session is not None and session.legacy_error is not None:
             self._messages.tell_error("legacy", "The text file is behind", session.legacy_error)
         return True
+
+    def _known_of(self, device: HeadDevice) -> Nominal | None:
+        """What is known of the device beforehand; looked up once a session."""
+        name = self._bench.name
+        if self._known is None or self._known[0] != name:
+            self._known = (name, self._nominal_of(name))
+        nominal = self._known[1]
+        # An earlier calibration leaves unused places of an assembly out.
+        fits = nominal is not None and len(nominal.bias) == len(device.axes)
+        return nominal if fits else None
 
     def _fits(self) -> bool:
         """Whether the device can go on with the session that is open."""

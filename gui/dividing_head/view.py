@@ -4,7 +4,6 @@ from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtGui import QKeySequence, QResizeEvent, QShortcut, QShowEvent
 from PySide6.QtWidgets import (
     QBoxLayout,
-    QComboBox,
     QFileDialog,
     QFrame,
     QHBoxLayout,
@@ -24,6 +23,7 @@ from gui.dividing_head.results_view import ResultsView
 from gui.dividing_head.settings_view import SettingsView
 from gui.dividing_head.state import HeadState
 from gui.widgets.action_bar import ActionBar
+from gui.widgets.fields import ChoiceField
 from gui.widgets.stage import Stage
 from gui.widgets.step_list import StepList
 
@@ -54,7 +54,7 @@ class HeadView(QWidget):
         self.live = LiveTable()
         self.results = ResultsView()
         self.settings = SettingsView()
-        self._plan_label, self._plan = QLabel(), QComboBox()
+        self._plan_label, self._plan = QLabel(), ChoiceField()
         self._session_label, self._session = QLabel(), QLineEdit()
         self._new = QPushButton()
         self._dialog: QFileDialog | None = None

@@ -3,8 +3,6 @@
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtWidgets import (
     QButtonGroup,
-    QComboBox,
-    QDoubleSpinBox,
     QGridLayout,
     QHBoxLayout,
     QLabel,
@@ -16,6 +14,7 @@ from PySide6.QtWidgets import (
 
 from gui.rig.dial_view import Dial
 from gui.rig.presenter import RigPresenter, RigView
+from gui.widgets.fields import ChoiceField, NumberField
 from gui.widgets.toggle import Toggle
 
 MOUNTS = ("X_from", "X_to", "Y_from", "Y_to", "Z_from", "Z_to")
@@ -31,17 +30,20 @@ class RigPanel(QWidget):
         self.dial.turned.connect(presenter.turn)
         self._words = QLabel()
         self._words.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self._angle = _number(-720.0, 720.0, 3, 15.0, "°")
+        self._angle = NumberField(-720.0, 720.0, 3, "°")
         self._go = QPushButton()
         self._go.clicked.connect(self._on_go)
-        self._mount = QComboBox()
+        self._mount = ChoiceField()
         for mount in MOUNTS:
             self._mount.addItem(f"{mount.replace('_', ' ')} ODH", mount)
         self._mount.activated.connect(self._on_mount)
-        self._celsius = _number(-60.0, 120.0, 1, 10.0, " °C")
+        self._celsius = NumberField(-60.0, 120.0, 1, "°C")
         self._celsius.setValue(27.0)
+        for field, step in ((self._angle, 15.0), (self._celsius, 10.0)):
+            field.setSingleStep(step)
         self._celsius.valueChanged.connect(presenter.heat)
-        self._rate = _number(-400.0, 400.0, 2, 10.0, " °/s")
+        self._rate = NumberField(-400.0, 400.0, 2, "°/s")
+        self._rate.setSingleStep(10.0)
         self._rate.valueChanged.connect(presenter.spin)
         self.operator = Toggle()
         self.operator.clicked.connect(presenter.set_operator)
@@ -166,13 +168,3 @@ class RigPanel(QWidget):
         }
         for name, button in self._fault_buttons.items():
             button.setText(names[name])
-
-
-def _number(low: float, high: float, decimals: int, step: float, suffix: str) -> QDoubleSpinBox:
-    box = QDoubleSpinBox()
-    box.setRange(low, high)
-    box.setDecimals(decimals)
-    box.setSingleStep(step)
-    box.setSuffix(suffix)
-    box.setKeyboardTracking(False)
-    return box
