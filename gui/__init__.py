@@ -10,6 +10,7 @@ live              watching and recording: CVGCom
 rig               the dock of the simulated rig
 services          what every tab is given
 devices           which devices at which ports, and the links to them
+garbage           cyclic garbage is collected in the window's thread alone
 jobs              long work in a worker thread
 messages          the banner and the log
 settings          what is remembered from one start to the next

@@ -14,6 +14,7 @@ from PySide6.QtCore import QByteArray, QObject, QStandardPaths, QTimer, Signal
 from PySide6.QtWidgets import QApplication, QWidget
 
 from core.errors import FormatError, LabError, Severity
+from gui.garbage import Collector
 from gui.jobs import Jobs
 from gui.main_window import LOOKS, MainWindow, Tab, TabModule
 from gui.messages import Messages
@@ -69,6 +70,7 @@ class Application(QObject):
 
     def __init__(self, qt: QApplication, options: Options) -> None:
         super().__init__()
+        self._collector = Collector(self)
         self._qt = qt
         self._options = options
         self._root = options.root or _default_root()
@@ -101,6 +103,7 @@ class Application(QObject):
         self.jobs.close()
         self.sounds.stop()
         self._remember()
+        self._collector.close()
 
     def open_simulated(self, device: str) -> None:
         """Connect to the simulated rig."""
@@ -186,6 +189,7 @@ class Application(QObject):
             self.connection.open(setups)
         else:
             self.messages.show(_WELCOME, _welcome())
+        self._collector.settle()
         self.ready.emit()
 
     def _remember(self) -> None:

@@ -1,5 +1,6 @@
 """The real window on a folder of its own; faults in methods that Qt calls fail the test."""
 
+import gc
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -15,6 +16,15 @@ guard_overrides()
 
 if TYPE_CHECKING:
     from tests.gui.window_driver import Driver
+
+
+@pytest.fixture(autouse=True)
+def _garbage_stays_in_this_thread() -> Iterator[None]:
+    """A worker that collects a dead widget of an earlier test would crash, as in the program."""
+    gc.disable()
+    yield
+    gc.collect()
+    gc.enable()
 
 
 @pytest.fixture
