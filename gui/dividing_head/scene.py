@@ -76,6 +76,7 @@ def head_state(
         session=sitting.name,
         session_editable=session is None,
         folder="" if session is None else str(session.folder),
+        has_samples=bench.device is not None,
         has_results=results.state is not None,
     )
 

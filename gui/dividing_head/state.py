@@ -37,6 +37,7 @@ class HeadState:
     session : name of the session's folder, or of the one to come
     session_editable : whether the name can still be changed
     folder : where the session stands, empty before it exists
+    has_samples : whether there is anything to draw in the graph
     has_results : whether there is something to show beside the stage
     """
 
@@ -51,6 +52,7 @@ class HeadState:
     session: str
     session_editable: bool
     folder: str
+    has_samples: bool
     has_results: bool
 
 

@@ -1,7 +1,7 @@
 """The dividing-head tab: plan left, stage middle, results right, actions below."""
 
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
-from PySide6.QtGui import QKeySequence, QResizeEvent, QShortcut, QShowEvent
+from PySide6.QtGui import QKeySequence, QPalette, QResizeEvent, QShortcut, QShowEvent
 from PySide6.QtWidgets import (
     QBoxLayout,
     QFileDialog,
@@ -58,7 +58,9 @@ class HeadView(QWidget):
         self._session_label, self._session = QLabel(), QLineEdit()
         self._new = QPushButton()
         self._dialog: QFileDialog | None = None
-        self._graph_title = QLabel()
+        self._graph_title, self._graph_hint = QLabel(), QLabel()
+        self._graph_hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._graph_hint.setForegroundRole(QPalette.ColorRole.PlaceholderText)
         self.graph_place = QVBoxLayout()
         self._build()
         self._connect()
@@ -76,6 +78,7 @@ class HeadView(QWidget):
         self.graph_place.setContentsMargins(0, 0, 0, 0)
         graph.setLayout(self.graph_place)
         self.graph_place.addWidget(self._graph_title)
+        self.graph_place.addWidget(self._graph_hint, 1)
         self._lower = QWidget()
         self._lower_box = QBoxLayout(QBoxLayout.Direction.TopToBottom, self._lower)
         self._lower_box.setContentsMargins(unit, unit // 2, unit, 0)
@@ -169,6 +172,7 @@ class HeadView(QWidget):
         self._session.setReadOnly(not state.session_editable)
         self._session.setToolTip(state.folder or self.tr("Folder of the session; can be changed"))
         self._new.setEnabled(not state.session_editable and not state.locked.timing)
+        self._graph_hint.setVisible(not state.has_samples)
         self._arrange(state.layout)
         if state.has_results != self.results.isVisibleTo(self):
             self.results.setVisible(state.has_results)
@@ -261,4 +265,5 @@ class HeadView(QWidget):
         self._session.setAccessibleName(self.tr("Name of the session's folder"))
         self._new.setText(self.tr("New session"))
         self._graph_title.setText(self.tr("Main Graph"))
+        self._graph_hint.setText(self.tr("The graph begins when samples come."))
         self.steps.setAccessibleName(self.tr("Positions"))
