@@ -9,10 +9,12 @@ from core.arrays import FloatArray, IntArray
 from core.errors import FitError
 from core.plans.orientation import (
     LEVEL,
+    NO_TILT,
     BaseOrientation,
     case_from_base,
     earth_rate,
     specific_force_in_base,
+    tilter_rotation,
 )
 from core.samples.run import Run
 from core.units import ARCMIN_PER_DEG
@@ -98,7 +100,12 @@ def stack(*stimuli: Stimulus) -> Stimulus:
 
 
 def stimulus_of(
-    run: Run, g: float, *, latitude_deg: float | None = None, base: BaseOrientation = LEVEL
+    run: Run,
+    g: float,
+    *,
+    latitude_deg: float | None = None,
+    base: BaseOrientation = LEVEL,
+    tilter_deg: tuple[float, float, float] = NO_TILT,
 ) -> Stimulus:
     """Return what acted on the sensors of a run.
 
@@ -108,6 +115,7 @@ def stimulus_of(
     g : local gravity, m/s^2; NaN on the rate table leaves `a` unknown
     latitude_deg : adds the rate of the Earth to `w`; without it the Earth stands still
     base : how the head's base plate stands; on the rate table how its axis leans from the vertical
+    tilter_deg : yaw, pitch, roll that a tilter adds between the head's plate and the case
 
     Raises
     ------
@@ -127,6 +135,9 @@ def stimulus_of(
         raise FitError(f"local gravity must be a positive number in m/s^2, got {g!r}")
     acting = _on_table if run.test == TABLE else _on_head
     a, w, da_dhead, dw_drate = acting(run, g, latitude_deg, base)
+    if any(tilter_deg):
+        tilt = tilter_rotation(*tilter_deg).T
+        a, w, da_dhead, dw_drate = a @ tilt, w @ tilt, da_dhead @ tilt, dw_drate @ tilt
     return Stimulus(
         a=a,
         w=w,

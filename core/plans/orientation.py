@@ -120,6 +120,8 @@ class BaseOrientation:
 
 
 LEVEL = BaseOrientation()
+NO_TILT = (0.0, 0.0, 0.0)
+"""Yaw, pitch and roll of a tilter at rest, deg."""
 
 
 @lru_cache(maxsize=4096)

@@ -19,7 +19,7 @@ from core.model.catalogue.listing import CATALOGUE
 from core.model.effect import AXES, Effect, Sensor
 from core.model.sensor_model import SensorModel
 from core.model.stimulus import Stimulus, stimulus_of
-from core.plans.orientation import LEVEL, BaseOrientation
+from core.plans.orientation import LEVEL, NO_TILT, BaseOrientation
 from core.procedures.calibration import Calibration, Provenance
 from core.samples.run import Conditions, Run
 from core.version import SOFTWARE
@@ -38,7 +38,12 @@ class _Pair:
     rows: str
 
 
-def calibrate(run: Run, conditions: Conditions, base: BaseOrientation = LEVEL) -> Calibration:
+def calibrate(
+    run: Run,
+    conditions: Conditions,
+    base: BaseOrientation = LEVEL,
+    tilter_deg: tuple[float, float, float] = NO_TILT,
+) -> Calibration:
     """Estimate bias, scale factor and cross-axis sensitivity of every sensor of a run.
 
     Parameters
@@ -46,6 +51,7 @@ def calibrate(run: Run, conditions: Conditions, base: BaseOrientation = LEVEL) -
     run : a run on the dividing head; its rows may repeat positions
     conditions : g with its uncertainty, u of a head setting; over what the run itself states
     base : how the head's base plate stands
+    tilter_deg : yaw, pitch, roll that a tilter adds between the head's plate and the case
 
     Raises
     ------
@@ -56,7 +62,7 @@ def calibrate(run: Run, conditions: Conditions, base: BaseOrientation = LEVEL) -
         raise FitError("the run holds no rows")
     if not conditions.g_mps2 > 0:
         raise FitError("local gravity is missing; state it in m/s^2, e.g. 9.8106 for Kyiv")
-    stimulus = stimulus_of(run, conditions.g_mps2, base=base)
+    stimulus = stimulus_of(run, conditions.g_mps2, base=base, tilter_deg=tilter_deg)
     axes = tuple(axis or _steepest_axis(stimulus, run.y[:, c]) for c, axis in enumerate(run.axes))
     fits = tuple(_fit_channel(run, stimulus, conditions, c, axis) for c, axis in enumerate(axes))
     return Calibration(

@@ -7,7 +7,12 @@ import pytest
 
 from core.errors import FitError
 from core.model.stimulus import Stimulus, stack, stimulus_of, table_axes
-from core.plans.orientation import BaseOrientation, earth_rate, specific_force
+from core.plans.orientation import (
+    BaseOrientation,
+    earth_rate,
+    specific_force,
+    tilter_rotation,
+)
 from core.samples.run import Run
 from core.units import EARTH_RATE_DPS
 
@@ -71,6 +76,16 @@ def test_the_earth_turns_a_gyro_on_the_head():
     stimulus = stimulus_of(run, G, latitude_deg=50.45, base=base)
     for row, (mount, head) in enumerate(zip(run.mount, run.head_deg, strict=True)):
         assert np.allclose(stimulus.w[row], earth_rate(mount, head, 50.45, base))
+
+
+def test_a_tilter_turns_the_case_on_the_plate():
+    run = run_of("static_positions", ("Z_from", "X_from"), head=[30.0, 0.0])
+    straight = stimulus_of(run, G, latitude_deg=50.45)
+    tilted = stimulus_of(run, G, latitude_deg=50.45, tilter_deg=(0.0, 20.0, 0.0))
+    assert np.allclose(tilted.a, straight.a @ tilter_rotation(0.0, 20.0, 0.0).T)
+    assert np.allclose(np.linalg.norm(tilted.w, axis=1), np.linalg.norm(straight.w, axis=1))
+    # X_from at 0: Z up. A positive pitch lifts Y (2.8).
+    assert tilted.a[1] == pytest.approx(G * np.array([0.0, np.sin(0.349066), np.cos(0.349066)]))
 
 
 def test_the_table_turns_the_axis_that_the_mount_puts_up():

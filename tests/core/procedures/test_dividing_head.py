@@ -157,6 +157,22 @@ def test_more_positions_and_free_angles_serve_as_well() -> None:
     np.testing.assert_allclose(triad.bias, bias, rtol=1e-9)
 
 
+def test_a_tilter_is_taken_into_account() -> None:
+    plan, bias, pitch = PLANS["pointer_8"], np.array([10.0, -20.0, 30.0]), np.radians(12.0)
+    # A positive pitch lifts Y (2.8): worked by hand from Table 2.1.
+    lifted = np.array(
+        [
+            [1.0, 0.0, 0.0],
+            [0.0, np.cos(pitch), np.sin(pitch)],
+            [0.0, -np.sin(pitch), np.cos(pitch)],
+        ]
+    )
+    run = run_of(plan, naive_output(plan, K_2_2 @ lifted, bias), ("x", "y", "z"))
+    triad = calibrate(run, STEADY, tilter_deg=(0.0, 12.0, 0.0)).triad()
+    np.testing.assert_allclose(triad.k, K_2_2, atol=1e-8)
+    np.testing.assert_allclose(triad.bias, bias, atol=1e-7)
+
+
 def test_a_calibration_names_the_file_that_it_came_from() -> None:
     run = run_of(PLANS["pointer_8"], TABLE_2_2, ("x", "y", "z"))
     assert calibrate(run, KYIV).provenance.records == ()
