@@ -12,5 +12,4 @@ exporting.py      files: plot, tables, Kalibr, MATLAB
 view.py           list left, plot middle, findings right, actions below
 settings_view.py  what the operator decides about the chosen record
 plot_view.py      the log-log plot with its cursor
-findings_view.py  tables and notes
 """

@@ -8,7 +8,6 @@ from core.errors import Note, Severity
 from core.records.noise_study import NoiseStudy
 from core.records.noise_tables import METHODS, by_method, comparison, in_conventions, terms_of
 from gui.allan.live import LiveRecord
-from gui.allan.state import FindingsState
 from gui.allan.texts import (
     brief_of,
     compared_rows,
@@ -20,7 +19,7 @@ from gui.allan.texts import (
     titled,
 )
 from gui.widgets.number_text import grouped
-from gui.widgets.states import TableState
+from gui.widgets.states import FindingsState, TableState
 
 LAW = "σ²(τ) = R²τ²/2 + K²τ/3 + B²·(2/π) ln 2 + N²/τ + 3Q²/τ²   (6.4)"
 _METHODS = ("Whittle", "least squares", "graphical")

@@ -12,12 +12,12 @@ from gui.allan.findings import of_error, of_live, of_study
 from gui.allan.library import Entry, Library
 from gui.allan.live import LiveRecord
 from gui.allan.picture import LIVE_COLOUR, picture_of
-from gui.allan.state import AllanState, ChoiceState, FindingsState, RecordRow
+from gui.allan.state import AllanState, ChoiceState, RecordRow
 from gui.allan.texts import duration, plain_unit, titled
 from gui.devices.connection import Connection
 from gui.messages import Messages
 from gui.widgets.number_text import grouped
-from gui.widgets.states import ActionBarState, ActionItem, BannerState
+from gui.widgets.states import ActionBarState, ActionItem, BannerState, FindingsState
 
 SOURCE = "allan"
 LIVE_KEY = -1

@@ -3,9 +3,8 @@
 from dataclasses import dataclass
 
 from core.arrays import FloatArray
-from core.errors import Note
 from core.records.noise_study import StudyRequest
-from gui.widgets.states import ActionBarState, TableState
+from gui.widgets.states import ActionBarState, FindingsState
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,16 +92,6 @@ class PictureState:
     curves: tuple[CurveState, ...]
     lines: tuple[LineState, ...]
     mixed: str = ""
-
-
-@dataclass(frozen=True, slots=True)
-class FindingsState:
-    """The right-hand side: what was found in the chosen record."""
-
-    title: str
-    source: str
-    tables: tuple[TableState, ...]
-    notes: tuple[Note, ...]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -17,11 +17,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from gui.allan.findings_view import FindingsView
 from gui.allan.presenter import LIVE_KEY, AllanPresenter
 from gui.allan.settings_view import SettingsView
 from gui.allan.state import AllanState, RecordRow
 from gui.widgets.action_bar import ActionBar
+from gui.widgets.findings_view import FindingsView
 from gui.widgets.theme import current_theme
 from gui.widgets.toggle import Toggle
 

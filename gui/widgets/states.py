@@ -7,7 +7,7 @@ from enum import Enum
 
 from PySide6.QtCore import QCoreApplication
 
-from core.errors import Severity
+from core.errors import Note, Severity
 
 
 class Tone(Enum):
@@ -131,6 +131,23 @@ class TableState:
     header: tuple[str, ...]
     rows: tuple[tuple[str, ...], ...]
     words: int = 1
+
+
+@dataclass(frozen=True, slots=True)
+class FindingsState:
+    """The right-hand side of an analysis: what was found.
+
+    Parameters
+    ----------
+    title, source : of what, and from what
+    tables : from above
+    notes : every doubt
+    """
+
+    title: str
+    source: str
+    tables: tuple[TableState, ...]
+    notes: tuple[Note, ...]
 
 
 @dataclass(frozen=True, slots=True)

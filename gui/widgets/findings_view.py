@@ -13,9 +13,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from gui.allan.state import FindingsState
 from gui.widgets.note_line import NoteLine
 from gui.widgets.result_table import ResultTable
+from gui.widgets.states import FindingsState
 
 
 class FindingsView(QWidget):
