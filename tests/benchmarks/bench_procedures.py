@@ -12,6 +12,7 @@ from core.plans.plan import load_plans
 from core.procedures.drift.compensate import compensate
 from core.procedures.drift.curves import Curves, curves_of
 from core.procedures.drift.held_out import METHODS, broken_line, residuals_of
+from core.procedures.drift.simulated import AMBIENTS, SHARP_NOISE, SMOOTH_NOISE, turn_on
 from core.procedures.drift.turn_on import TurnOn
 from core.procedures.fourier.readings import run_of_angles
 from core.procedures.fourier.tumble import calibrate_tumble
@@ -20,7 +21,6 @@ from core.procedures.prediction.bench import Bench
 from core.procedures.prediction.propose import propose
 from core.procedures.thermal.record import fit_record
 from core.samples.run import Conditions, Run
-from tests.benchmarks.turn_on_curves import AMBIENTS, SHARP_NOISE, SMOOTH_NOISE, turn_on
 
 DPH = 3600.0
 DEVICES = 4

@@ -16,6 +16,8 @@ compensate
     `compensate`: from turn-ons to a `DriftResult`.
 table
     `DriftTable`: the correction against time and chip temperature.
+simulated
+    A set of turn-ons of a made-up gyro, for trying out and for tests.
 export
     The table in 16-bit integers, as a C header with its reference function, as JSON.
 """

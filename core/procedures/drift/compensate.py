@@ -1,12 +1,13 @@
 """From turn-ons to a table: the procedure of source 003 with the best knots."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from core.arrays import FloatArray, frozen
 from core.errors import FitError, Note, Severity
+from core.procedures.drift.angles import temperature_slopes
 from core.procedures.drift.curves import Curves
 from core.procedures.drift.hats import hat_basis, projector, refine
 from core.procedures.drift.held_out import (
@@ -16,12 +17,15 @@ from core.procedures.drift.held_out import (
     knot_scores,
     knot_times,
     method_scores,
+    score_of_knots,
 )
 from core.procedures.drift.knots import optimal_knots
 from core.procedures.drift.table import DriftTable
 
 DEFAULT_KNOTS = 10
 _DOMINATES = 0.5
+_LEAST_U_C = 1e-3
+"""Uncertainty of a mean chip temperature that a sensor without noise would pretend to, degC."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -99,6 +103,7 @@ def compensate(
     table = with_knots(curves, unit, refine(curves.t, mean, knot_times(curves, places)))
     methods = method_scores(curves, chosen)
     notes += _doubts(curves, methods)
+    notes += _plateaus(curves, table)
     return DriftResult(curves, table, limit, scores, methods, tuple(notes))
 
 
@@ -142,6 +147,22 @@ def with_knots(curves: Curves, unit: str, times_s: FloatArray | Sequence[float])
     )
 
 
+def moved(result: DriftResult, times_s: FloatArray | Sequence[float]) -> DriftResult:
+    """The result on other knots, e.g. after the operator has dragged one.
+
+    Raises
+    ------
+    FitError
+        As `with_knots`.
+    """
+    table = with_knots(result.curves, result.table.unit, times_s)
+    methods = tuple(
+        score_of_knots(result.curves, table.times_s) if one.method == "table" else one
+        for one in result.methods
+    )
+    return replace(result, table=table, methods=methods)
+
+
 def cost_of(curves: Curves, table: DriftTable) -> float:
     """Root mean square of what a table leaves of the mean curves, output unit."""
     left = curves.mean - table.values @ hat_basis(curves.t, table.times_s).T
@@ -175,3 +196,29 @@ def _doubts(curves: Curves, methods: tuple[MethodScore, ...]) -> list[Note]:
             )
         )
     return notes
+
+
+def _plateaus(curves: Curves, table: DriftTable) -> list[Note]:
+    """Where the source's coefficients against temperature would divide by nothing."""
+    if not np.all(np.isfinite(curves.chip_c)):
+        return []
+    lost: list[str] = []
+    for place, start in enumerate(curves.temperatures_c.tolist()):
+        warm, values = curves.chip_c[place], table.values[place]
+        at_knots = np.asarray(np.interp(table.times_s, curves.t, warm), dtype=np.float64)
+        # Third differences are blind to the warming up and show the noise of the block means.
+        u = max(float(np.sqrt(np.mean(np.diff(warm, 3) ** 2) / 20.0)), _LEAST_U_C)
+        slopes, _ = temperature_slopes(values, at_knots, u)
+        if np.isnan(slopes).any():
+            lost.append(f"{start:.0f}")
+    if not lost:
+        return []
+    return [
+        Note(
+            Severity.INFO,
+            "temperature_plateau",
+            f"in the sets at {', '.join(lost)} degC there are segments in which the chip's"
+            " temperature stands still: the source's coefficients against temperature (1) divide"
+            " by zero there; this table runs over time and needs none",
+        )
+    ]

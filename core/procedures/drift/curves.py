@@ -41,6 +41,7 @@ class Curves:
     place : (r,) row of `temperatures_c` that a turn-on belongs to
     labels : (r,) names of the turn-ons
     start_c : (r,) chip temperature at the start
+    chip_c : (m, k) mean chip temperature of each set during the blocks; NaN if it is not measured
     temperatures_c : (m,) ascending: mean chip temperature at the start, or the chamber's
     alignment : how the starts were brought to zero
     horizon_s : end of the last block, s
@@ -52,6 +53,7 @@ class Curves:
     place: IntArray
     labels: tuple[str, ...]
     start_c: FloatArray
+    chip_c: FloatArray
     temperatures_c: FloatArray
     alignment: Alignment
     horizon_s: float
@@ -127,20 +129,24 @@ def curves_of(
         )
     kept, notes = _cold(turn_ons, window_s)
     rows: list[FloatArray] = []
+    warmth: list[FloatArray] = []
     for one in kept:
         first = one.within(stop, stop).start
-        means = one.y[first : first + blocks * per_block].reshape(blocks, per_block).mean(axis=1)
+        used = slice(first, first + blocks * per_block)
+        means = one.y[used].reshape(blocks, per_block).mean(axis=1)
         rows.append(means - one.y[one.within(start, stop)].mean())
+        warmth.append(one.temperature_c[used].reshape(blocks, per_block).mean(axis=1))
     start_c = np.array([_start_temperature(one, window_s) for one in kept])
     ambients, place = np.unique([one.ambient_c for one in kept], return_inverse=True)
     temperatures, doubts = _abscissas(ambients, place, start_c)
-    y = np.array(rows)
+    y, warm = np.array(rows), np.array(warmth)
     return Curves(
         t=frozen(stop + block_s * (np.arange(blocks) + 0.5)),
         y=frozen(y),
         place=frozen_int(place),
         labels=tuple(one.label for one in kept),
         start_c=frozen(start_c),
+        chip_c=frozen([warm[place == at].mean(axis=0) for at in range(len(ambients))]),
         temperatures_c=frozen(temperatures),
         alignment=Alignment(start, stop, _alignment_u(kept, window_s)),
         horizon_s=stop + blocks * block_s,

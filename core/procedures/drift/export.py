@@ -147,7 +147,15 @@ def document(result: DriftResult, provenance: Provenance) -> dict[str, object]:
         "integers": integers,
         "limit": result.limit,
         "knot_scores": result.knot_scores,
-        "methods": result.methods,
+        "methods": [
+            {
+                "method": one.method,
+                "rms": one.rms,
+                "by_temperature": one.by_temperature,
+                "bytes": one.bytes,
+            }
+            for one in result.methods
+        ],
         "notes": result.notes,
     }
 

@@ -30,12 +30,14 @@ class MethodScore:
     method : key of `METHODS`
     rms : root mean square of the block means that it leaves, over all turn-ons
     by_temperature : (m,) the same at each temperature
+    left : (m, k) the same at each temperature and time
     bytes : memory that it takes
     """
 
     method: str
     rms: float
     by_temperature: FloatArray
+    left: FloatArray
     bytes: int
 
 
@@ -146,28 +148,48 @@ def fewest_knots(scores: tuple[KnotScore, ...]) -> int:
 
 def method_scores(curves: Curves, knots: int) -> tuple[MethodScore, ...]:
     """Every method on the turn-ons left out; empty without repetitions."""
-    m = len(curves.temperatures_c)
-    squares = {method: np.zeros(m) for method in METHODS}
-    counts = np.zeros(m)
+    if not folds_of(curves):
+        return ()
+    return tuple(_score(curves, method, fit, knots) for method, fit in METHODS.items())
+
+
+def score_of_knots(curves: Curves, times_s: FloatArray) -> MethodScore:
+    """The table on given knots (p,), on the turn-ons left out.
+
+    Notes
+    -----
+    The ordinates come from the other turn-ons, the knots from whoever saw them all.
+
+    Raises
+    ------
+    ValueError
+        There are no repeated turn-ons.
+    """
+    if not folds_of(curves):
+        raise ValueError("without repeated turn-ons none can be left out")
+
+    def on_them(t: FloatArray, mean: FloatArray, _knots: int) -> FloatArray:
+        return broken_line(t, mean, times_s)
+
+    return _score(curves, "table", on_them, len(times_s))
+
+
+def _score(curves: Curves, method: str, fit: Fit, knots: int) -> MethodScore:
+    m, blocks = len(curves.temperatures_c), len(curves.t)
+    squares, counts = np.zeros((m, blocks)), np.zeros(m)
     for rank in folds_of(curves):
         held = _held(curves, rank)
-        mean = curves.mean_without(rank)
-        counts += np.bincount(curves.place[held], minlength=m)
-        for method, fit in METHODS.items():
-            left = curves.y[held] - fit(curves.t, mean, knots)[curves.place[held]]
-            np.add.at(squares[method], curves.place[held], np.sum(left**2, axis=1))
-    if not counts.any():
-        return ()
-    blocks = len(curves.t)
+        place = curves.place[held]
+        counts += np.bincount(place, minlength=m)
+        left = curves.y[held] - fit(curves.t, curves.mean_without(rank), knots)[place]
+        np.add.at(squares, place, left**2)
     with np.errstate(invalid="ignore"):
-        return tuple(
-            MethodScore(
-                method,
-                float(np.sqrt(total.sum() / counts.sum() / blocks)),
-                np.sqrt(total / counts / blocks),
-                method_bytes(method, m, knots, blocks),
-            )
-            for method, total in squares.items()
+        return MethodScore(
+            method,
+            float(np.sqrt(squares.sum() / counts.sum() / blocks)),
+            np.sqrt(squares.sum(axis=1) / counts / blocks),
+            np.sqrt(squares / counts[:, None]),
+            method_bytes(method, m, knots, blocks),
         )
 
 

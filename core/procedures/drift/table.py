@@ -10,6 +10,13 @@ from core.procedures.drift.curves import Alignment
 from core.procedures.drift.hats import hat_basis
 
 BYTES_PER_NUMBER = 2
+
+
+def knots_within(memory: int, temperatures: int) -> int:
+    """How many knots (tp) fit into so many bytes with this number of temperatures; maybe none."""
+    return max(0, (memory // BYTES_PER_NUMBER - temperatures) // (temperatures + 1))
+
+
 _MARGIN_C = 1.0
 """Starts scatter by some tenths of a degree about the temperature of their set."""
 

@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 from core.plans.plan import load_plans
+from core.procedures.drift.simulated import turn_on
 from core.procedures.fourier.readings import run_of_angles
 from core.procedures.gyrocompass import run_of_headings
 from core.records.run_file import write_run
 from core.samples.run import Run
 from gui.main import main
-from tests.benchmarks.turn_on_curves import turn_on
 
 G = 9.8106
 RECORD = Path(__file__).parents[2] / "data" / "tofupilot_imu_thermal" / "imu_thermal.csv.gz"

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from core.procedures.drift.curves import Curves, curves_of
+from core.procedures.drift.simulated import AMBIENTS, turn_on
 from core.procedures.drift.turn_on import TurnOn
-from tests.benchmarks.turn_on_curves import AMBIENTS, turn_on
 
 RATE = 50.0
 

@@ -5,7 +5,7 @@ import pytest
 
 from core.errors import FitError
 from core.fit.quantiles import student_t
-from core.procedures.drift.compensate import compensate, cost_of, with_knots
+from core.procedures.drift.compensate import compensate, cost_of, moved, with_knots
 from core.procedures.drift.curves import Curves, curves_of
 from core.procedures.drift.held_out import METHODS, residuals_of
 from core.procedures.drift.turn_on import TurnOn
@@ -78,6 +78,11 @@ def test_dragged_knots_cost_more(sharp: Curves):
     dragged = best.times_s.copy()
     dragged[3] += 4.0
     assert cost_of(sharp, with_knots(sharp, "deg/s", dragged)) > cost_of(sharp, best)
+    result = compensate(sharp, "deg/s", knots=8)
+    worse = moved(result, dragged)
+    assert worse.table.times_s[3] == dragged[3]
+    assert worse.score("table").rms > result.score("table").rms
+    assert worse.score("quartic") is result.score("quartic")
     with pytest.raises(FitError, match="ascending order"):
         with_knots(sharp, "deg/s", [2.0, 50.0, 40.0, 120.0])
     with pytest.raises(FitError, match="nearer to each other than a block"):
@@ -92,6 +97,10 @@ def test_a_plateau_of_the_chip_temperature_does_no_harm(make_turn_ons):
     result = compensate(curves_of(flat), "deg/s", knots=10)
     assert np.all(np.isfinite(result.table.values))
     assert result.score("table").rms < 0.3 * result.score("none").rms
+    note = next(note for note in result.notes if note.subject == "temperature_plateau")
+    assert "at 0, 20 degC" in note.text
+    warming = compensate(curves_of(make_turn_ons(8, 3, np.array([0.0, 20.0]))), "deg/s", knots=6)
+    assert "temperature_plateau" not in [note.subject for note in warming.notes]
 
 
 def test_doubts_are_said(make_turn_ons):

@@ -5,7 +5,7 @@ import pytest
 
 from core.errors import FitError
 from core.procedures.drift.curves import Alignment
-from core.procedures.drift.table import DriftTable
+from core.procedures.drift.table import DriftTable, knots_within
 
 ALIGNMENT = Alignment(1.5, 2.0, 1e-3)
 
@@ -52,3 +52,11 @@ def test_one_temperature_holds_there_only():
 
 def test_bytes_are_counted():
     assert TABLE.bytes == 2 * (3 + 2 + 6)
+
+
+@pytest.mark.parametrize(
+    ("memory", "temperatures", "knots"), [(262, 11, 10), (261, 11, 9), (4, 11, 0)]
+)
+def test_how_many_knots_a_memory_holds(memory: int, temperatures: int, knots: int):
+    assert knots_within(memory, temperatures) == knots
+    assert 2 * (knots + temperatures + knots * temperatures) <= memory or knots == 0

@@ -14,6 +14,7 @@ from core.procedures.drift.held_out import (
     knot_scores,
     method_scores,
     residuals_of,
+    score_of_knots,
 )
 
 
@@ -53,6 +54,9 @@ def test_every_method_is_scored_on_what_it_has_not_seen(sharp: Curves):
     nothing = float(np.sqrt(np.mean(sharp.y**2)))
     assert scores["none"].rms == pytest.approx(nothing)
     assert scores["none"].by_temperature.shape == (11,)
+    assert scores["none"].left.shape == (11, len(sharp.t))
+    assert np.sqrt(np.mean(scores["none"].left ** 2)) == pytest.approx(nothing)
+    assert score_of_knots(sharp, np.array([2.0, 60.0, 120.0])).rms == pytest.approx(by_hand)
     assert scores["table"].bytes == 240
     assert scores["angles"].bytes == 440
 
@@ -61,6 +65,8 @@ def test_no_repetition_no_score(make_turn_ons):
     lonely = curves_of(make_turn_ons(3, 1, np.array([0.0, 20.0])))
     assert knot_scores(lonely, 8) == ()
     assert method_scores(lonely, 8) == ()
+    with pytest.raises(ValueError, match="repeated"):
+        score_of_knots(lonely, np.array([2.0, 120.0]))
 
 
 def test_a_table_is_tried_on_other_turn_ons(sharp: Curves, unseen: Curves, make_turn_ons):
