@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from core.arrays import FloatArray, IntArray, frozen, frozen_int
 from core.errors import FormatError, Note, Severity
 from core.samples.block import Channel, SampleBlock
-from drivers.decoders import Decoder, make_decoder
+from drivers.decoders import make_decoder
 from drivers.events import Event
 from drivers.framing import Block, Damage, read_blocks
 from drivers.profile import parse_profile
@@ -317,23 +317,23 @@ def _decoded(
     if not isinstance(text, str) or not text:
         raise FormatError(path, "holds no samples, and no profile that its bytes could be read by")
     decoder = make_decoder(parse_profile(text, f"{path}: profile"))
-    numbering = _Numbering(decoder)
-    times: list[float] = []
+    sessions = [_Session()]
     for part in read_rawlog(path):
         if isinstance(part, Chunk):
-            times.append(part.t)
-            numbering.take(decoder.feed(part.data), part.t)
-        elif isinstance(part, Mark) and part.kind in _INTERRUPTIONS:
-            numbering.interrupt()
-    numbering.take(decoder.flush(), times[-1] if times else 0.0)
-    blocks = numbering.blocks
-    if not blocks:
+            sessions[-1].take(decoder.feed(part.data), part.t)
+        elif isinstance(part, Mark) and part.kind in _INTERRUPTIONS and sessions[-1].blocks:
+            sessions[-1].take(decoder.flush(), sessions[-1].last_t)
+            sessions.append(_Session())
+    sessions[-1].take(decoder.flush(), sessions[-1].last_t)
+    sessions = [session for session in sessions if session.blocks]
+    if not sessions:
         raise FormatError(path, "its bytes hold no samples")
+    rate = decoder.rate or _rate_of(sessions)
+    if len(sessions) > 1 and not rate > 0.0:
+        raise FormatError(path, "was interrupted, and too little came to tell how long by")
+    blocks = _numbered(sessions, rate)
     channels = blocks[-1].channels
     blocks = [block for block in blocks if block.channels == channels]
-    count = int(blocks[-1].index[-1] - blocks[0].index[0])
-    span = times[-1] - times[0]
-    rate = decoder.rate or (count / span if span > 0.0 else math.nan)
     stretches: list[Stretch] = []
     for block in blocks:
         breaks = (np.flatnonzero(np.diff(block.index) > 1) + 1).tolist()
@@ -342,36 +342,47 @@ def _decoded(
     return channels, rate, tuple(stretches)
 
 
-class _Numbering:
-    """Numbers samples on over interruptions, which leave gaps as long as they were by the clock."""
+class _Session:
+    """What came between two interruptions, with the clock at its ends."""
 
-    def __init__(self, decoder: Decoder) -> None:
+    def __init__(self) -> None:
         self.blocks: list[SampleBlock] = []
-        self._decoder = decoder
-        self._shift = 0
-        self._t = 0.0
-        self._resuming = False
-
-    def interrupt(self) -> None:
-        """What comes next was not sent right after what came before."""
-        if self.blocks and not self._resuming:
-            self._resuming = True
-            self._add(self._decoder.flush())
+        self.first_t = self.last_t = 0.0
+        self.first_end = 0
+        """Number of the newest sample that the first read with samples gave."""
 
     def take(self, events: list[Event], t: float) -> None:
         """Take what the bytes of a read gave."""
         found = [event for event in events if isinstance(event, SampleBlock)]
-        if self._resuming and found:
-            steps = round((t - self._t) * self._decoder.rate)
-            expected = int(self.blocks[-1].index[-1]) + steps
-            self._shift += max(0, expected - int(found[-1].index[-1]) - self._shift)
-            self._resuming = False
-        self._add(events)
-        if found:
-            self._t = t
+        if not found:
+            return
+        if not self.blocks:
+            self.first_t, self.first_end = t, int(found[-1].index[-1])
+        self.blocks += found
+        self.last_t = t
 
-    def _add(self, events: list[Event]) -> None:
-        for event in events:
-            if isinstance(event, SampleBlock):
-                index = frozen_int(event.index + self._shift)
-                self.blocks.append(replace(event, index=index))
+    @property
+    def last(self) -> int:
+        """Number of the last sample."""
+        return int(self.blocks[-1].index[-1])
+
+
+def _rate_of(sessions: list[_Session]) -> float:
+    """Samples per second by the clock, the interruptions left out; NaN where it cannot be told."""
+    steps = sum(session.last - session.first_end for session in sessions)
+    span = sum(session.last_t - session.first_t for session in sessions)
+    return steps / span if span > 0.0 else math.nan
+
+
+def _numbered(sessions: list[_Session], rate: float) -> list[SampleBlock]:
+    """Number samples on over interruptions, which leave gaps as long as they were by the clock."""
+    blocks: list[SampleBlock] = []
+    shift = 0
+    for before, session in zip([None, *sessions], sessions, strict=False):
+        if before is not None:
+            steps = round((session.first_t - before.last_t) * rate)
+            shift += max(0, before.last + steps - session.first_end)
+        blocks += [
+            replace(block, index=frozen_int(block.index + shift)) for block in session.blocks
+        ]
+    return blocks

@@ -9,6 +9,7 @@ from core.errors import FormatError
 from core.records.cvgcom import is_cvgcom, read_cvgcom
 from core.records.cvgcom_name import CvgcomName
 from core.records.means import RecordMean, mean_of
+from drivers.framing import MAGIC
 from drivers.recording import SUFFIX, Recording, Stretch, read_recording
 
 
@@ -36,6 +37,22 @@ def open_record(path: Path) -> Recording:
     return Recording(
         path, header, file.head.channels, file.head.rate, tuple(stretches), notes=file.notes
     )
+
+
+def is_recording(path: Path) -> bool:
+    """Whether a file begins as recordings and raw logs do.
+
+    Raises
+    ------
+    FormatError
+        It cannot be read.
+    """
+    try:
+        with path.open("rb") as file:
+            return file.read(len(MAGIC)) == MAGIC
+    except (OSError, ValueError) as error:
+        why = getattr(error, "strerror", None) or str(error)
+        raise FormatError(path, f"cannot be read: {why}") from error
 
 
 def records_in(folder: Path) -> list[Path]:

@@ -6,10 +6,11 @@ from typing import overload
 
 from core.arrays import FloatArray
 from core.errors import FormatError, Note, Severity
-from core.records.series import Series
+from core.records.cvgcom import is_cvgcom
+from core.records.series import Series, distinct
 from core.records.series_text import read_text_series
-from drivers.framing import MAGIC
-from drivers.recording import Recording, read_recording
+from drivers.recording import Recording
+from drivers.records import is_recording, open_record
 
 
 def read_series(path: Path) -> Series:
@@ -20,13 +21,9 @@ def read_series(path: Path) -> Series:
     FormatError
         It cannot be read as a record; with the place where that is known.
     """
-    try:
-        with path.open("rb") as file:
-            head = file.read(len(MAGIC))
-    except (OSError, ValueError) as error:
-        why = getattr(error, "strerror", None) or str(error)
-        raise FormatError(path, f"cannot be read: {why}") from error
-    return of_recording(read_recording(path)) if head == MAGIC else read_text_series(path)
+    if is_recording(path) or is_cvgcom(path):
+        return of_recording(open_record(path))
+    return read_text_series(path)
 
 
 def of_recording(recording: Recording) -> Series:
@@ -47,7 +44,7 @@ def of_recording(recording: Recording) -> Series:
     return Series(
         path=str(recording.path),
         device=recording.device or recording.path.stem,
-        channels=recording.channels,
+        channels=distinct(recording.channels),
         columns=_Columns(recording),
         n=len(recording),
         rate=recording.rate,

@@ -16,7 +16,6 @@ import numpy as np
 
 from core.arrays import FloatArray, IntArray, frozen, frozen_int
 from core.errors import FormatError, Note, Severity
-from core.records.cvgcom import CvgcomFile, is_cvgcom, read_cvgcom
 from core.records.run_file import parse_run
 from core.records.run_head import is_run_file
 from core.records.series import Series, distinct, named_channel
@@ -42,8 +41,6 @@ def read_text_series(path: Path) -> Series:
     FormatError
         It is no text of numbers; with line and column.
     """
-    if is_cvgcom(path):
-        return of_cvgcom(read_cvgcom(path))
     return parse_text_series(decode(read_bytes(path, max_bytes=MAX_BYTES), path), str(path))
 
 
@@ -78,20 +75,6 @@ def parse_text_series(text: str, path: str) -> Series:
         index=None if axis is None else axis.index,
         time=None if axis is None else axis.time,
         notes=() if axis is None else axis.notes,
-    )
-
-
-def of_cvgcom(file: CvgcomFile) -> Series:
-    """Return the record in a file of CVGCom; its rows of NaN are lost samples."""
-    return Series(
-        path=str(file.path),
-        device=file.path.stem if file.name is None else file.name.device,
-        channels=distinct(file.head.channels),
-        columns=tuple(file.data.T),
-        n=len(file.data),
-        rate=file.head.rate,
-        scale_factor=file.head.scale_factor,
-        notes=file.notes,
     )
 
 

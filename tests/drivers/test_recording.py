@@ -5,12 +5,15 @@ import pytest
 
 from core.errors import FormatError
 from drivers.framing import BlockWriter
+from drivers.profile import load_profiles
 from drivers.rawlog import RawLog
 from drivers.recorder import Recorder, RecordLayout
 from drivers.recording import read_recording
 from drivers.virtual.address import rig_of
 from tests.drivers.links import CVG
 from tests.drivers.test_recorder import HEADER, TWO, block, recorder
+
+ANY_LINES = load_profiles()["generic_csv"]
 
 
 @pytest.fixture
@@ -89,6 +92,36 @@ def test_a_resumed_record_decodes_with_its_gap(tmp_path):
     log.close()
     record = read_recording(tmp_path / "raw.calrec")
     assert [(gap.first, gap.count) for gap in record.gaps] == [(20, 380)]
+
+
+def test_an_interruption_is_a_gap_also_where_only_the_clock_tells_the_rate(tmp_path):
+    log = RawLog(tmp_path / "raw.calrec", {"profile_text": ANY_LINES.text})
+    zero = log._zero
+
+    def second(begin):
+        for number in range(10):
+            lines = "".join(f"{number},{k},1.5\n" for k in range(5))
+            log.write(lines.encode(), zero + begin + 0.1 * number)
+
+    second(0.1)
+    log.mark("link lost")
+    log.mark("reconnected")
+    second(11.0)
+    log.close()
+    record = read_recording(tmp_path / "raw.calrec")
+    assert record.rate == pytest.approx(50.0)
+    (gap,) = record.gaps
+    assert gap.count == 495
+
+
+def test_an_interruption_of_unknown_length_is_refused(tmp_path):
+    log = RawLog(tmp_path / "raw.calrec", {"profile_text": ANY_LINES.text})
+    for begin in (0.1, 5.0):
+        log.write(b"1,2,3\n" * 30, log._zero + begin)
+        log.mark("link lost")
+    log.close()
+    with pytest.raises(FormatError, match="interrupted"):
+        read_recording(tmp_path / "raw.calrec")
 
 
 @pytest.mark.parametrize(
