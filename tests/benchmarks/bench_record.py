@@ -1,7 +1,7 @@
 """Recording and opening records: the speed that the Live tab stands on.
 
 Peers: numpy's own writer and readers, which check nothing. ``--hours 30`` runs the long soak: the
-frames of so many hours with faults between, through rig, reader and recorder.
+frames of so many hours with faults between, through reader and recorder.
 """
 
 import argparse
@@ -10,18 +10,15 @@ import time
 from pathlib import Path
 
 import numpy as np
+from soaking import soak
 
 from core.arrays import frozen, frozen_int
 from core.records.cvgcom import CvgcomFile, CvgcomHead, channel_of, read_cvgcom
 from core.records.cvgcom_writer import write_cvgcom
 from core.samples.block import SampleBlock
 from drivers import recorder
-from drivers.decoders import make_decoder
-from drivers.reader import Reader
-from drivers.recorder import SINGLE, Recorder, RecordLayout, wire_item
+from drivers.recorder import SINGLE, Recorder, RecordLayout
 from drivers.recording import read_recording
-from drivers.transport import opener
-from drivers.virtual.address import rig_of
 from gui.live.trace import trace_of
 
 SEVEN = tuple(
@@ -38,7 +35,7 @@ SEVEN = tuple(
 )
 ROWS = 360_000
 OPEN_HOURS = 10
-SOAK = "sim://cvg25?speed=max&block=20&seed=9&bit_error=1e-6&drop=2e-4&half=2e-4&garbage=2e-4"
+CUTS = 10
 
 
 def row(name: str, value: float, unit: str, peer: float, target: str, ok: bool) -> None:
@@ -96,29 +93,17 @@ def record(folder: Path) -> None:
     row("  onto the charts", shown, "s", nan, "< 10 s", shown < 10.0)
 
 
-def soak(hours: float) -> None:
-    rig = rig_of(SOAK)
+def endure(hours: float) -> None:
     with tempfile.TemporaryDirectory() as name:
-        path = Path(name) / "soak.calrec"
-        decoder = make_decoder(rig.profile)
-        layout = RecordLayout(decoder.channels, rig.rate_hz, wire_item(rig.profile))
-        writer = Recorder(path, {}, layout)
-        reader = Reader(opener(SOAK, rig.profile.port), decoder)
-        reader.tap = writer
-        start = time.perf_counter()
-        reader.start()
-        while reader.counters.frames < hours * 3600 * rig.rate_hz:
-            reader.drain()
-            time.sleep(0.002)
-        reader.close()
-        writer.close()
-        spent = time.perf_counter() - start
-        kept, heard = len(read_recording(path)), reader.counters.frames
-        made = round(rig.state.time_s * rig.rate_hz)
-        missing = made - len(rig.damaged()) - kept
-    print(f"{hours:g} h soaked in {spent:.0f} s: {made} sent, {made - missing - kept} damaged")
-    ok = kept == heard and 0 <= missing < 25 * rig.rate_hz
-    row("good frames not in the record", missing, "frames", float("nan"), "< 1 read", ok)
+        found = soak(hours, Path(name) / "soak.calrec", cuts=CUTS)
+    print(
+        f"{hours:g} h soaked in {found.spent_s:.0f} s: {found.sent} sent, {found.damaged} damaged, "
+        f"cable pulled {found.reconnections} times"
+    )
+    nan = float("nan")
+    for what in ("missing", "doubled", "foreign"):
+        count = getattr(found, what)
+        row(f"good frames {what} in the record", count, "frames", nan, "0", not count)
 
 
 def main() -> None:
@@ -130,7 +115,7 @@ def main() -> None:
         text_file(Path(name))
         record(Path(name))
     if hours:
-        soak(hours)
+        endure(hours)
 
 
 if __name__ == "__main__":
