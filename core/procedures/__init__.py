@@ -20,8 +20,8 @@ g_sensitivity, rate_and_head, two_files
     Gyros on the head, (3.7) to (3.9); the whole model (3.3) from both; (3.10) and whether its two
     files are of one unit. `earth`: when the rotation of the Earth matters.
 accuracy
-    Pitch and roll against set angles, Tables 2.5 and 2.6; with `accuracy_sources`, `set_angles`,
-    `angle_errors`, `accuracy_notes`, and `conformity`: limits and the decision rule.
+    Pitch and roll against set angles, Tables 2.5 and 2.6; with `accuracy_plan`, `accuracy_sources`,
+    `set_angles`, `angle_errors`, `accuracy_notes`, and `conformity`: limits and the decision rule.
 comparison
     Gyros side by side: the table of lab 6.
 six_position, thermal

@@ -120,7 +120,11 @@ def reported_sources(run: Run) -> list[Source]:
         unknown = np.full(len(run), np.nan)
         names = {PITCH: PITCH, ROLL: ROLL, PLANE: PITCH}
         step = {PITCH: _resolution(pitch), ROLL: _resolution(roll)}
-        rounding = {name: np.full(len(run), step[of] / np.sqrt(12.0)) for name, of in names.items()}
+        known = {of: run.extra.get(f"se_{stem}_{of}_deg", unknown) for of in (PITCH, ROLL)}
+        u_mean = {
+            name: np.hypot(step[of] / np.sqrt(12.0), np.nan_to_num(known[of]))
+            for name, of in names.items()
+        }
         noise = {name: run.extra.get(f"std_{stem}_{of}_deg", unknown) for name, of in names.items()}
         sources.append(
             Source(
@@ -128,8 +132,10 @@ def reported_sources(run: Run) -> list[Source]:
                 force=direction(pitch, roll),
                 pitch=pitch,
                 roll=roll,
-                heading=run.extra.get(f"{stem}_heading_deg", unknown),
-                u_mean=rounding,
+                heading=run.extra.get(
+                    f"{stem}_heading_deg", run.extra.get(f"{stem}_yaw_deg", unknown)
+                ),
+                u_mean=u_mean,
                 noise=noise,
             )
         )

@@ -144,19 +144,23 @@ def accumulation_of(
     ----------
     channels : (c,) what the columns are
     t : (n,) seconds by the counter
-    data : (n, c) samples
+    data : (n, c) samples; angles (``angle.*``, deg) may pass the end of their turn
     first, lost : index of the first sample, samples passed over
     wanted : samples that were asked for, None if what came is what was asked for
     """
     n = len(t)
+    turning = [at for at, channel in enumerate(channels) if _turns(channel)]
+    raw, data = data, _unwrapped(data, turning)
     mean = data.mean(axis=0)
+    for at in turning:
+        mean[at] = _within_turn(float(mean[at]), raw[:, at])
     slope, slope_se = np.zeros_like(mean), np.full_like(mean, np.nan)
     se, dof = np.full_like(mean, np.nan), np.zeros_like(mean)
     notes = list(_faults(channels, data, n, lost, wanted))
     if n >= _MIN_SAMPLES:
         se, dof = standard_error(data, [channel.unit == "code" for channel in channels])
         centred = t - t.mean()
-        slope = centred @ (data - mean) / (centred @ centred)
+        slope = centred @ (data - data.mean(axis=0)) / (centred @ centred)
         # A mean over the same time with the same noise: its error times sqrt(12)/T.
         slope_se = se * np.sqrt(12.0) / max(float(t[-1] - t[0]), np.finfo(float).tiny)
     return Accumulation(
@@ -173,6 +177,28 @@ def accumulation_of(
         slope_se=frozen(slope_se),
         notes=tuple(notes),
     )
+
+
+def _turns(channel: Channel) -> bool:
+    """Whether a channel is an angle that starts anew after a full turn."""
+    return channel.role.startswith("angle.") and channel.unit == "deg"
+
+
+def _unwrapped(data: FloatArray, turning: list[int]) -> FloatArray:
+    """Samples (n, c) without the jumps of angles that pass 180 or 360 degrees."""
+    if not turning:
+        return data
+    smooth = data.copy()
+    smooth[:, turning] = np.unwrap(data[:, turning], period=360.0, axis=0)
+    return smooth
+
+
+def _within_turn(mean: float, samples: FloatArray) -> float:
+    """The mean within the turn that the device counts in: above -180, or from 0."""
+    if samples.min() < 0.0:
+        turned = mean % 360.0
+        return turned - 360.0 if turned > 180.0 else turned
+    return mean % 360.0
 
 
 def _faults(

@@ -111,12 +111,12 @@ class LegacyFile:
             for name, axis in zip(layout.outputs[sensor], layout.axes[sensor], strict=True)
             if np.any(file.column(name))
         ]
-        if not used:
+        if not used and not _tells_angles(file):
             raise FormatError(file.path, f"every {sensor} output is zero: nothing was measured")
         by_row, angles, notes = _positions(file, mounts)
         temperatures, rates = _set_values(file, "set temperature"), _set_values(file, "set rate")
         n = len(file)
-        y = frozen(np.column_stack([file.column(name) for name, _ in used]))
+        y = frozen(np.array([file.column(name) for name, _ in used]).reshape(len(used), n).T)
         start = stamp_of(file.path)
         return Run(
             test=layout.test[sensor],
@@ -143,6 +143,14 @@ class LegacyFile:
             },
             notes=notes,
         )
+
+
+def _tells_angles(file: LegacyFile) -> bool:
+    """Whether there are the unit's own angles to judge, as of one that sends no raw codes."""
+    return any(
+        column.name.startswith("unit_") and np.any(file.column(column.name))
+        for column in file.layout.columns
+    )
 
 
 def _positions(

@@ -126,14 +126,14 @@ def _run(record: SessionRecord, sensor: str) -> Run:
         raise FormatError(record.folder, "no position has been accepted yet")
     means = np.array([position.accumulation.mean for position in positions])
     outputs = _outputs(start, sensor, means)
-    if not outputs:
+    if not outputs and not _tells_angles(start):
         raise FormatError(record.folder, f"the device has no {sensor} that gives other than zero")
     columns = [place for place, _, _ in outputs]
     on_table = start.plan.test == "rate_table"
     set_temperatures = np.array([position.set_temperature_c for position in positions])
     measured = np.array([position.temperature_c for position in positions])
     began = datetime.fromisoformat(start.started)
-    dof = np.array([position.accumulation.se_dof[columns].min() for position in positions])
+    dof = np.array([p.accumulation.se_dof[columns].min(initial=np.inf) for p in positions])
     conditions = start.conditions
     if not np.isfinite(conditions.accumulation_s):
         conditions = replace(conditions, accumulation_s=start.plan.accumulation_s)
@@ -145,9 +145,9 @@ def _run(record: SessionRecord, sensor: str) -> Run:
         device=start.device,
         channels=tuple(name for _, name, _ in outputs),
         axes=tuple(axis for _, _, axis in outputs),
-        unit=start.channels[columns[0]].unit,
+        unit=start.channels[columns[0]].unit if columns else "",
         y=frozen(means[:, columns]),
-        y_se=frozen([position.accumulation.se[columns] for position in positions]),
+        y_se=frozen(np.array([position.accumulation.se[columns] for position in positions])),
         run=replicates([(p.step.number, p.set_temperature_c) for p in positions]),
         order=frozen_int(np.arange(len(positions))),
         mount=tuple(position.step.mount for position in positions),
@@ -160,6 +160,11 @@ def _run(record: SessionRecord, sensor: str) -> Run:
         conditions=conditions,
         extra={
             **_extra(start.channels, columns, means),
+            **(
+                _scatter(start.channels, outputs, positions)
+                if start.plan.test == "accuracy"
+                else {}
+            ),
             "step": frozen([position.step.number for position in positions]),
             "attempt": frozen([position.attempt for position in positions]),
             "samples": frozen([position.accumulation.n for position in positions]),
@@ -174,6 +179,12 @@ def _run(record: SessionRecord, sensor: str) -> Run:
         meta=_meta(record),
         notes=(*record.notes, *_position_notes(positions)),
     )
+
+
+def _tells_angles(start: SessionStart) -> bool:
+    """Whether an accuracy check can judge the angles that the unit computes itself."""
+    roles = {channel.role for channel in start.channels}
+    return start.plan.test == "accuracy" and {"angle.pitch", "angle.roll"} <= roles
 
 
 def _test(plan_test: str, sensor: str) -> str:
@@ -212,6 +223,26 @@ def _extra(
             name += "_"
         extra[name] = frozen(means[:, place])
     return extra
+
+
+def _scatter(
+    channels: tuple[Channel, ...],
+    outputs: list[tuple[int, str, str]],
+    positions: tuple[Position, ...],
+) -> dict[str, FloatArray]:
+    """Standard deviation of single samples of the outputs and of the unit's own angles.
+
+    Of the angles also the standard error of the mean; that of the outputs stands in `Run.y_se`.
+    """
+    std = np.array([position.accumulation.std for position in positions])
+    se = np.array([position.accumulation.se for position in positions])
+    found = {f"std_{name}": frozen(std[:, place]) for place, name, _ in outputs}
+    for place, channel in enumerate(channels):
+        if channel.role.startswith("angle."):
+            name = extra_name(channel)
+            found[f"std_{name}"] = frozen(std[:, place])
+            found[f"se_{name}"] = frozen(se[:, place])
+    return found
 
 
 def extra_name(channel: Channel) -> str:

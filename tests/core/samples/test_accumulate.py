@@ -116,3 +116,18 @@ def test_roles_choose_columns() -> None:
 def test_impossible_settings_are_refused(seconds: float, rate: float) -> None:
     with pytest.raises(ValueError, match="cannot accumulate"):
         Accumulator(seconds, rate)
+
+
+@pytest.mark.parametrize(
+    ("level", "low", "expected"), [(180.0, -180.0, 180.0), (0.0, 0.0, 0.0), (30.0, -180.0, 30.0)]
+)
+def test_an_angle_that_passes_the_end_of_its_turn_keeps_its_mean(level, low, expected) -> None:
+    # At a roll of 180 deg half of the samples read -180: a plain mean of them would be 0.
+    angles = (level + np.random.default_rng(5).normal(0.0, 0.05, 400) - low) % 360.0 + low
+    channels = (Channel("roll", "deg", "angle.roll"),)
+    result = accumulation_of(channels, np.arange(400) / RATE, angles[:, None])
+    off = (result.mean[0] - expected + 180.0) % 360.0 - 180.0
+    assert abs(off) < 0.01
+    assert low <= result.mean[0] <= low + 360.0
+    assert result.std[0] == pytest.approx(0.05, rel=0.2)
+    assert abs(result.slope[0]) < 0.01

@@ -6,10 +6,13 @@ import pytest
 
 from core.errors import FormatError, Severity
 from core.plans.plan import load_plans
+from core.procedures.accuracy import Limit, check_accuracy
+from core.records.legacy.reader import read_legacy
 from core.records.session.record import JOURNAL_NAME, START_NAME, extra_name, read_session
 from core.records.session.store import Session
 from core.samples.accumulate import accumulation_of
 from core.samples.block import Channel
+from core.samples.run import Conditions
 
 
 @pytest.fixture
@@ -141,3 +144,49 @@ def test_what_is_no_session_is_refused(tmp_path, session):
 )
 def test_names_of_further_columns(role, name):
     assert extra_name(Channel("N", "code", role)) == name
+
+
+ANGLES = tuple(Channel(name, "deg", f"angle.{name}") for name in ("heading", "pitch", "roll"))
+
+
+def accuracy_session(folder, start, clock, channels):
+    plan = load_plans()["roll_accuracy_3"]
+    begun = replace(start, plan=plan, channels=channels, legacy="accuracy")
+    opened = Session.create(folder, begun, now=clock)
+    for step, angle in zip(plan.steps, (0.0, 30.0, 60.0), strict=True):
+        rng = np.random.default_rng(step.number)
+        data = rng.normal(0.0, 0.02, (200, len(channels)))
+        data[:, -3:] += [120.0, 0.1, angle]
+        data[:, 1:-3] += 500.0 * step.number
+        opened.accept(step, accumulation_of(channels, np.arange(200) / 100.0, data))
+    opened.finish()
+    return read_session(folder)
+
+
+def test_a_unit_without_raw_codes_is_measured_by_its_angles(tmp_path, start, clock):
+    channels = (Channel("N", "", "counter"), *ANGLES)
+    record = accuracy_session(tmp_path / "s", start, clock, channels)
+    run = record.run()
+    assert run.channels == ()
+    assert run.y.shape == (3, 0)
+    assert run.extra["unit_roll_deg"] == pytest.approx([0.0, 30.0, 60.0], abs=0.01)
+    found = check_accuracy(run, Conditions(g_mps2=9.81), limit=Limit(0.1))
+    assert found.traces[0].source == "inter"
+    assert found.trace("inter").statistics.noise_std == pytest.approx(0.02, rel=0.2)
+    assert "no raw codes" in found.notes[0].text
+    # The text for the old programs, and the same once more from it.
+    (legacy,) = record.folder.glob("Accuracy_*.txt")
+    again = check_accuracy(read_legacy(legacy).to_run(), Conditions(g_mps2=9.81), kind="roll")
+    assert again.trace("inter").error == pytest.approx(found.trace("inter").error, abs=6e-3)
+    # On the head the same unit has nothing that could be calibrated.
+    with pytest.raises(FormatError, match="no accelerometer"):
+        replace(record, start=replace(record.start, plan=start.plan)).run()
+
+
+def test_an_accuracy_check_keeps_the_noise_of_single_samples(tmp_path, start, clock):
+    channels = (*start.channels[:4], *ANGLES)
+    run = accuracy_session(tmp_path / "s", start, clock, channels).run()
+    assert run.channels == ("acc_x", "acc_y", "acc_z")
+    for name in ("std_acc_x", "std_acc_z", "std_unit_roll_deg"):
+        assert run.extra[name] == pytest.approx([0.02] * 3, rel=0.2)
+    assert run.extra["se_unit_roll_deg"] == pytest.approx([0.02 / 200**0.5] * 3, rel=0.6)
