@@ -8,22 +8,18 @@ harmonic allows it.
 import argparse
 from pathlib import Path
 
-import numpy as np
-
 from core.errors import FitError
 from core.fit.estimate import Estimate
-from core.procedures.fourier.flip import Flip, separate
-from core.procedures.fourier.pairs import turn_pairs
-from core.procedures.fourier.split import Split, split
-from core.procedures.fourier.tumble import TumbleResult, calibrate_tumble
+from core.procedures.fourier.flip import Flip
+from core.procedures.fourier.pairs import TurnPair, turn_pairs
+from core.procedures.fourier.split import Split
+from core.procedures.fourier.study import TumbleRequest, study_tumble
+from core.procedures.fourier.tumble import TumbleResult
 from core.procedures.propagation import Spread
 from core.records.open import read_any
-from core.samples.run import Conditions, Run
 from gui.commands.answer import Answer
 from gui.commands.conditions import KYIV_G_MPS2, add_conditions, conditions_of
 from gui.commands.fitted import estimate_text, note_lines
-
-_BOTH_MOUNTS = 2
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -54,37 +50,31 @@ def run(args: argparse.Namespace) -> Answer:
         names = ", ".join(measured.channels)
         raise FitError(f"{args.file}: no output {args.channel}; there are: {names}")
     conditions, assumed = conditions_of(args, measured.conditions)
-    data: dict[str, object] = {"file": args.file, "g_mps2": conditions.g_mps2}
+    request = TumbleRequest(
+        args.channel - 1, args.harmonics, args.remove_drift, args.gravity_projection
+    )
+    found = study_tumble(measured, conditions, request)
+    data: dict[str, object] = {
+        "file": args.file,
+        "g_mps2": conditions.g_mps2,
+        "tumbles": found.tumbles,
+    }
     lines: list[str] = []
-    results: list[TumbleResult] = []
-    for mount in dict.fromkeys(measured.mount):
-        result = calibrate_tumble(
-            _of_mount(measured, mount),
-            conditions,
-            channel=args.channel - 1,
-            harmonics=args.harmonics,
-            remove_drift=args.remove_drift,
-        )
-        results.append(result)
+    for mount, result in zip(found.mounts, found.tumbles, strict=True):
         lines += _report(f"{args.file}: {measured.device}, {mount}", result)
-    data["tumbles"] = results
-    if len(results) == _BOTH_MOUNTS:
-        flip = separate(results[0], results[1])
-        data["flip"] = flip
-        lines += _flip_lines(flip)
-    elif np.all(np.isfinite(results[0].fit.covariance)):
-        parts = split(results[0], gravity_projection=args.gravity_projection)
-        data["split"] = parts
-        lines += _split_lines(parts)
+    if found.flip is not None:
+        data["flip"] = found.flip
+        lines += _flip_lines(found.flip)
+    if found.split is not None:
+        data["split"] = found.split
+        lines += _split_lines(found.split)
     if args.pairs:
-        data["pairs"] = _pairs(measured, conditions, args.channel - 1, lines)
+        pairs = turn_pairs(measured, conditions, channel=args.channel - 1)
+        data["pairs"] = pairs
+        lines += _pair_lines(pairs)
     if assumed:
         lines.append(f"  g = {KYIV_G_MPS2} m/s^2 was assumed (Kyiv); state yours by --g")
     return Answer(data, "\n".join(lines))
-
-
-def _of_mount(measured: Run, mount: str) -> Run:
-    return measured.rows([row for row, own in enumerate(measured.mount) if own == mount])
 
 
 def _report(title: str, result: TumbleResult) -> list[str]:
@@ -141,9 +131,9 @@ def _flip_lines(flip: Flip) -> list[str]:
     ]
 
 
-def _pairs(measured: Run, conditions: Conditions, channel: int, lines: list[str]) -> object:
-    pairs = turn_pairs(measured, conditions, channel=channel)
+def _pair_lines(pairs: tuple[TurnPair, ...]) -> list[str]:
+    lines: list[str] = []
     for pair in pairs:
         lines.append(f"  {estimate_text(f'U0 ({pair.axis})', pair.bias)}")
         lines.append(f"  {estimate_text(f'k_{pair.axis}', pair.response)}")
-    return pairs
+    return lines

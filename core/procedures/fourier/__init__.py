@@ -16,4 +16,6 @@ flip
     Two tumbles with the sensor turned over in its fixture: fixture and sensor apart.
 pairs
     Test turns by 180 degrees: (4), (5), (8), (11).
+study
+    `study_tumble`: all of these for a run of one or two mounts.
 """

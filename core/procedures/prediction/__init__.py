@@ -8,4 +8,6 @@ catalogue
     `METHODS`: what each method gives, what it needs, and its model.
 propose
     `propose`: plans for the sensor and the rig at hand; plans with positions dropped or added.
+unseen
+    `unseen`: what a plan cannot see, in words.
 """
