@@ -132,11 +132,23 @@ def plan_from_dict(document: dict[str, Any], plan_id: str, name: str) -> Plan:
     )
 
 
-def load_plans() -> dict[str, Plan]:
-    """Return the packaged plans by id."""
+def load_plans(own: Path | None = None) -> dict[str, Plan]:
+    """Return the packaged plans by id, then those of the user.
+
+    Parameters
+    ----------
+    own : folder of the user's plan files; need not exist. One with the name of a packaged plan
+        takes its place
+
+    Raises
+    ------
+    FormatError
+        A file of the user is no plan.
+    """
     folder = resources.files("resources") / "plans"
     found = sorted((e for e in folder.iterdir() if e.name.endswith(".toml")), key=lambda e: e.name)
-    return {plan.id: plan for plan in map(load_plan, found)}
+    users = sorted(own.glob("*.toml")) if own is not None else []
+    return {plan.id: plan for plan in map(load_plan, [*found, *users])}
 
 
 def _steps(reader: "_Reader", group: dict[str, Any], before: int) -> list[Step]:
