@@ -176,11 +176,11 @@ def _result(design: Design, rows: Rows, shared: FloatArray, state: _State) -> Fi
     chi2 = float(np.sum(residuals**2 / stated)) if dof else 0.0
     lack = lack_of_fit(design.replicate, p, rows.y, residuals, parts.setting)
     covariance = (inverse * variance) @ inverse.T
+    free = 1.0 - np.einsum("na,an->n", design.matrix, inverse)
     p_value = float("nan")
     notes: list[Note] = []
     if parts.known:
         source = "known" if state.scatter is None else "partly"
-        free = 1.0 - np.einsum("na,an->n", design.matrix, inverse)
         doubt = (parts.accumulation / variance) ** 2 / parts.accumulation_dof
         # Weights taken from estimated variances pull towards rows that looked quiet by chance
         # (Meier 1953; Kenward and Roger 1997 for independent variances).
@@ -217,6 +217,7 @@ def _result(design: Design, rows: Rows, shared: FloatArray, state: _State) -> Fi
         fitted=frozen(fitted),
         residuals=frozen(residuals),
         sigma=frozen(np.sqrt(variance)),
+        free=frozen(free),
         sigma_source=source,
         chi2=chi2,
         dof=dof,

@@ -1,5 +1,6 @@
 """The result of a fit: an object that says what it knows and what it doubts."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -43,6 +44,8 @@ class FitResult:
     t_dof : (p,) effective degrees of freedom of each standard uncertainty; inf when sigma is known
     fitted, residuals : (m,) model output and measured minus model, output units
     sigma : (m,) standard uncertainty of each row, output units
+    free : (m,) share of each row's variance that the fit leaves in its residual, 1 less the
+        leverage; NaN where a file does not tell it
     sigma_source : ``"known"`` (from the accumulations and stated inputs), ``"partly"`` (the same
         and extra scatter as the residuals suggest), ``"residual"`` (from the scatter about the
         model) or ``"none"`` (no degrees of freedom, no uncertainty)
@@ -62,6 +65,7 @@ class FitResult:
     fitted: FloatArray
     residuals: FloatArray
     sigma: FloatArray
+    free: FloatArray
     sigma_source: str
     chi2: float
     dof: int
@@ -90,6 +94,22 @@ class FitResult:
         """Half widths (p,) of the two-sided coverage intervals, by Student t."""
         factors = np.array([student_t(level, float(dof)) for dof in self.t_dof])
         return factors * self.stderr
+
+    def residual_limits(self, level: float = 0.95) -> FloatArray:
+        """Half widths (m,) within which the residuals of a right model stay with `level`.
+
+        Where sigma comes from the residuals themselves they cannot exceed what they sum up to;
+        their law is then Thompson's tau, not Student's t. Infinite without degrees of freedom.
+        """
+        free = np.where(np.isfinite(self.free), self.free, 1.0)
+        if self.sigma_source != "residual":
+            factor = student_t(level, math.inf) if self.sigma_source != "none" else math.inf
+        elif self.dof < 2:
+            factor = math.sqrt(self.dof) if self.dof else math.inf
+        else:
+            t = student_t(level, self.dof - 1)
+            factor = t * math.sqrt(self.dof / (self.dof - 1 + t**2))
+        return factor * self.sigma * np.sqrt(np.maximum(free, 0.0))
 
     def index(self, name: str) -> int:
         """Place of a parameter.

@@ -73,6 +73,7 @@ def _whole(sensor: RateSensor, rows: int) -> FitResult:
         fitted=frozen(np.concatenate([part.fitted for part in parts])),
         residuals=frozen(np.concatenate([part.residuals for part in parts])),
         sigma=frozen(np.concatenate([part.sigma for part in parts])),
+        free=frozen(np.concatenate([part.free for part in parts])),
         sigma_source=main.sigma_source,
         chi2=sum(part.chi2 for part in parts),
         dof=sum(part.dof for part in parts),

@@ -182,6 +182,7 @@ def _fit_to_json(fit: FitResult) -> Json:
         "fitted": numbers_to_json(fit.fitted),
         "residuals": numbers_to_json(fit.residuals),
         "sigma": numbers_to_json(fit.sigma),
+        "free": numbers_to_json(fit.free),
         "sigma_source": fit.sigma_source,
         "chi2": number_to_json(fit.chi2),
         "dof": fit.dof,
@@ -220,6 +221,8 @@ def _fit(found: Fields) -> FitResult:
         fitted=found.numbers("fitted", m),
         residuals=residuals,
         sigma=found.numbers("sigma", m),
+        # Files of the first version of the format do not hold it.
+        free=found.numbers("free", m) if "free" in found.data else frozen(np.full(m, np.nan)),
         sigma_source=found.text("sigma_source"),
         chi2=found.number("chi2"),
         dof=found.integer("dof"),

@@ -20,6 +20,7 @@ def fit(covariance: list[list[float]], dofs: tuple[float, float] = (9.0, 9.0)) -
         fitted=np.zeros(3),
         residuals=np.zeros(3),
         sigma=np.ones(3),
+        free=np.full(3, 1.0 / 3.0),
         sigma_source="residual",
         chi2=1.0,
         dof=1,

@@ -311,3 +311,19 @@ def test_drift_far_above_the_noise_gives_the_intervals_of_the_residuals(drift: f
     assert fit.sigma_source == "partly"
     assert fit.values == pytest.approx(by_residuals.values)
     assert fit.expanded() == pytest.approx(by_residuals.expanded(), rel=0.1)
+
+
+@pytest.mark.parametrize("told", [True, False])
+def test_one_residual_in_twenty_leaves_its_limits(told: bool):
+    rng = np.random.default_rng(31)
+    model, stimulus = accelerometer(), head()
+    truth = model.predict(stimulus, TRUTH)
+    outside = 0
+    for _ in range(1000):
+        y = truth + rng.normal(0.0, 2.0, len(truth))
+        se = np.full(len(truth), 2.0) if told else None
+        conditions = Conditions(g_mps2=G, repeatability=0.0)
+        fit = fit_sensor(model, stimulus, Rows.of(y, se), conditions)
+        # A rejected fit is one of them, and keeps its limits.
+        outside += int(np.sum(np.abs(fit.residuals) > fit.residual_limits()))
+    assert 0.042 < outside / 8000 < 0.058

@@ -1,5 +1,7 @@
 """What a result answers about itself."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -18,6 +20,7 @@ def fit() -> FitResult:
         fitted=np.zeros(3),
         residuals=np.zeros(3),
         sigma=np.ones(3),
+        free=np.full(3, 1.0 / 3.0),
         sigma_source="known",
         chi2=1.0,
         dof=1,
@@ -35,6 +38,18 @@ def test_values_and_uncertainties_by_name(fit: FitResult):
     assert fit.u("scale_factor") == 3.0
     assert np.allclose(fit.stderr, [2.0, 3.0])
     assert np.allclose(fit.correlation, [[1.0, 0.5], [0.5, 1.0]])
+
+
+def test_the_limits_of_residuals_know_what_the_fit_took(fit: FitResult):
+    assert fit.residual_limits() == pytest.approx(np.full(3, 1.95996 / np.sqrt(3.0)), rel=1e-5)
+    assert np.all(np.isinf(replace(fit, sigma_source="none").residual_limits()))
+    untold = replace(fit, free=np.full(3, np.nan))
+    assert untold.residual_limits() == pytest.approx(1.95996, rel=1e-5)
+    # Thompson's tau for 4 degrees of freedom: t of 3 is 3.18245.
+    own = replace(fit, sigma_source="residual", dof=4)
+    assert own.residual_limits() == pytest.approx(np.full(3, 1.75668 / np.sqrt(3.0)), rel=1e-5)
+    one = replace(own, dof=1).residual_limits()
+    assert one == pytest.approx(np.full(3, 1.0 / np.sqrt(3.0)))
 
 
 def test_expanded_uncertainty_by_its_own_degrees_of_freedom(fit: FitResult):

@@ -28,6 +28,7 @@ def a_fit(axis: str, values: list[float]) -> FitResult:
         fitted=frozen([]),
         residuals=frozen([]),
         sigma=frozen([]),
+        free=frozen([]),
         sigma_source="residual",
         chi2=4.0,
         dof=4,
