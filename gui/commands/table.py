@@ -100,7 +100,7 @@ def run_command(name: str, arguments: Sequence[str]) -> int:
 
 
 def _give(answer: "Answer", out: str | None) -> None:
-    from gui.commands.answer import to_json
+    from core.records.json_text import to_json
 
     if out == "-":
         sys.stdout.write(to_json(answer.data, ascii_only=True))

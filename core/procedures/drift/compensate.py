@@ -207,7 +207,8 @@ def _plateaus(curves: Curves, table: DriftTable) -> list[Note]:
         warm, values = curves.chip_c[place], table.values[place]
         at_knots = np.asarray(np.interp(table.times_s, curves.t, warm), dtype=np.float64)
         # Third differences are blind to the warming up and show the noise of the block means.
-        u = max(float(np.sqrt(np.mean(np.diff(warm, 3) ** 2) / 20.0)), _LEAST_U_C)
+        jerks: FloatArray = np.diff(warm, 3)
+        u = max(float(np.sqrt(np.mean(jerks**2) / 20.0)), _LEAST_U_C)
         slopes, _ = temperature_slopes(values, at_knots, u)
         if np.isnan(slopes).any():
             lost.append(f"{start:.0f}")

@@ -15,7 +15,7 @@ from core.procedures.drift.compensate import compensate
 from core.procedures.drift.curves import Alignment, Curves
 from core.procedures.drift.export import c_header, document, identifier, quantised
 from core.procedures.drift.table import DriftTable
-from gui.commands.answer import to_json
+from core.records.json_text import to_json
 
 WHO = Provenance("drift", "GIB-7 */ tricky", software="CalRig", computed_utc="2026-01-01T00:00:00")
 PROGRAM = """

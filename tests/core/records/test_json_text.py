@@ -10,7 +10,7 @@ import pytest
 
 from core.arrays import FloatArray, frozen
 from core.errors import Note, Severity
-from gui.commands.answer import to_json
+from core.records.json_text import to_json
 
 
 @dataclass(frozen=True, slots=True)
