@@ -11,9 +11,8 @@ import numpy as np
 
 from core.procedures.accuracy import OWN, RULES, TITLES, Accuracy, Limit, check_accuracy
 from core.procedures.calibration import Calibration
-from core.procedures.dividing_head import calibrate
-from core.records.calibration_json import read_calibration
 from core.records.open import read_any
+from core.records.open_calibration import open_calibration
 from gui.commands.answer import Answer
 from gui.commands.conditions import add_conditions, conditions_of
 from gui.commands.fitted import note_lines
@@ -56,10 +55,7 @@ def _calibration(args: argparse.Namespace) -> Calibration | None:
     path: Path | None = args.calibration
     if path is None:
         return None
-    if path.suffix == ".json" and path.name != "session.json":
-        return read_calibration(path)
-    measured = read_any(path)
-    return calibrate(measured, conditions_of(args, measured.conditions)[0])
+    return open_calibration(path, lambda stated: conditions_of(args, stated)[0])
 
 
 def _lines(path: Path, found: Accuracy) -> list[str]:
