@@ -129,10 +129,14 @@ def coefficients_csv(studies: Studies) -> str:
 
 
 def curves_csv(studies: Studies) -> str:
-    """Return the points of every curve, one a line; limits are of one sigma."""
+    """Return the points of every curve, one a line; limits are of one sigma.
+
+    The last column tells which deviation it is: ``allan``, or a key of `core.allan.other.KINDS`,
+    to which no model is fitted.
+    """
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
-    names = "device channel unit regressed tau_s deviation lower upper edf model"
+    names = "device channel unit regressed tau_s deviation lower upper edf model kind"
     writer.writerow(names.split())
     for one in studies:
         tables = [(one.coefficients, 0)] + ([] if one.after is None else [(one.after, 1)])
@@ -141,7 +145,14 @@ def curves_csv(studies: Studies) -> str:
             fitted = np.sqrt(found.model.variance(curve.taus))
             columns = (curve.taus, curve.deviation, curve.lower, curve.upper, curve.edf, fitted)
             for row in np.column_stack(columns).tolist():
-                writer.writerow([one.device, one.channel, one.unit, regressed, *map(repr, row)])
+                told = (one.device, one.channel, one.unit, regressed)
+                writer.writerow([*told, *map(repr, row), "allan"])
+        if one.beside is not None:
+            curve, regressed = one.beside, int(one.after is not None)
+            columns = (curve.taus, curve.deviation, curve.lower, curve.upper, curve.edf)
+            for row in np.column_stack(columns).tolist():
+                told = (one.device, one.channel, one.unit, regressed)
+                writer.writerow([*told, *map(repr, row), "", curve.mode])
     return out.getvalue()
 
 

@@ -4,11 +4,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from core.allan.coefficients import NoiseCoefficients
+from core.allan.curve import AllanCurve
 from core.allan.detrend import Detrended, Regressor, detrend
 from core.allan.deviation import overlapping
 from core.allan.graphical import read_curve
 from core.allan.model import NoiseModel
 from core.allan.noise import fit_noise
+from core.allan.other import other_deviation
 from core.allan.preview import Preview, preview
 from core.allan.rows import graphical_rows
 from core.arrays import FloatArray
@@ -30,6 +32,7 @@ class StudyRequest:
     bandwidth : of the sensor, Hz; 0 to find it from the record
     regressors : names of the channels on which the record is regressed first
     order : highest power of them
+    beside : another deviation to show beside Allan's, key of `core.allan.other.KINDS`; empty: none
     """
 
     channel: str = ""
@@ -40,6 +43,7 @@ class StudyRequest:
     bandwidth: float = 0.0
     regressors: tuple[str, ...] = ()
     order: int = 1
+    beside: str = ""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -58,6 +62,7 @@ class NoiseStudy:
     after : coefficients of what the regression left; None without one
     previews : of longer records, empty where the model has no random walk
     notes : doubts about the file, the record and the fit, each once
+    beside : another deviation of what was published; None where none was asked for or it failed
     """
 
     device: str
@@ -72,6 +77,7 @@ class NoiseStudy:
     after: NoiseCoefficients | None
     previews: tuple[Preview, ...]
     notes: tuple[Note, ...]
+    beside: AllanCurve | None = None
 
     @property
     def published(self) -> NoiseCoefficients:
@@ -109,6 +115,14 @@ def study(series: Series, request: StudyRequest) -> NoiseStudy:
         after = _fit(regression.residual, replace(taken, index=None), unit, request)
         notes += [*regression.notes, *after.notes]
     published = found if after is None else after
+    beside: AllanCurve | None = None
+    if request.beside:
+        left = taken.values if regression is None else regression.residual
+        index = taken.index if regression is None else None
+        try:
+            beside = other_deviation(left, taken.rate, request.beside, index=index)
+        except FitError as error:
+            notes.append(Note(Severity.WARNING, "beside", str(error)))
     return NoiseStudy(
         device=series.device,
         path=series.path,
@@ -122,6 +136,7 @@ def study(series: Series, request: StudyRequest) -> NoiseStudy:
         after=after,
         previews=_previews(published, taken.rate),
         notes=tuple({note.text: note for note in notes}.values()),
+        beside=beside,
     )
 
 

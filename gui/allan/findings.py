@@ -4,13 +4,16 @@ from collections.abc import Sequence
 
 from core.allan.coefficients import NoiseCoefficients
 from core.allan.conventions import conventions
+from core.allan.curve import AllanCurve
 from core.errors import Note, Severity
 from core.records.noise_study import NoiseStudy
 from core.records.noise_tables import METHODS, by_method, comparison, in_conventions, terms_of
 from gui.allan.live import LiveRecord
 from gui.allan.texts import (
+    DEVIATIONS,
     brief_of,
     compared_rows,
+    curve_rows,
     duration,
     interval,
     plain_unit,
@@ -40,6 +43,8 @@ def of_study(study: NoiseStudy, shown: Sequence[NoiseStudy]) -> FindingsState:
     if published.band > 0.0:
         tables.append(_quotes(published))
     tables.append(_methods(published))
+    if study.beside is not None:
+        tables.append(_beside(study.beside, study.unit))
     if study.previews:
         tables.append(_previews(study))
     if len(shown) > 1:
@@ -102,6 +107,16 @@ def _methods(found: NoiseCoefficients) -> TableState:
         "opinion. Graphical: the practicum's reading; it always finds a B."
     )
     return TableState("By method", text, ("", *_METHODS[: len(METHODS)], "unit"), tuple(rows))
+
+
+def _beside(curve: AllanCurve, unit: str) -> TableState:
+    return TableState(
+        DEVIATIONS[curve.mode],
+        "Limits of one sigma; no terms are fitted to it.",
+        ("τ, s", f"σ, {plain_unit(unit)}", "from", "to", "dof"),
+        tuple(curve_rows(curve)),
+        words=0,
+    )
 
 
 def _before_and_after(study: NoiseStudy) -> TableState:

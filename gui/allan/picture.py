@@ -11,7 +11,7 @@ from core.records.noise_study import NoiseStudy
 from gui.allan.library import Entry
 from gui.allan.live import LiveRecord
 from gui.allan.state import CurveState, LineState, PictureState
-from gui.allan.texts import plain_unit, titled
+from gui.allan.texts import DEVIATIONS, plain_unit, titled
 
 LIVE_COLOUR = 6
 _SLOPES = {-2: "−1", -1: "−½", 0: "0", 1: "+½", 2: "+1"}
@@ -51,16 +51,19 @@ def picture_of(
 
 def _of_study(study: NoiseStudy, colour: int) -> Iterator[CurveState]:
     name = titled(study)
+    if study.beside is not None:
+        words = DEVIATIONS[study.beside.mode]
+        yield _curve(f"{name}, {words}", colour, study.beside, aside=True)
     if study.after is not None and study.regression is not None:
-        yield _curve(f"{name}, before regression", colour, study.coefficients.curve, before=True)
+        yield _curve(f"{name}, before regression", colour, study.coefficients.curve, aside=True)
         yield _curve(f"{name}, after", colour, study.after.curve)
     else:
         yield _curve(name, colour, study.coefficients.curve)
 
 
-def _curve(name: str, colour: int, curve: AllanCurve, *, before: bool = False) -> CurveState:
+def _curve(name: str, colour: int, curve: AllanCurve, *, aside: bool = False) -> CurveState:
     return CurveState(
-        name, colour, curve.taus, curve.deviation, curve.lower, curve.upper, curve.edf, before
+        name, colour, curve.taus, curve.deviation, curve.lower, curve.upper, curve.edf, aside
     )
 
 

@@ -49,7 +49,7 @@ class AllanPlot(Plot):
         self.clear_items()
         self.set_labels("τ, s", f"σ(τ), {state.unit}" + (state.mixed and f"; {state.mixed}"))
         for curve in state.curves:
-            if band and not curve.before:
+            if band and not curve.aside:
                 self.add_band(curve.taus, curve.lower, curve.upper, curve.colour)
         if terms:
             for line in state.lines:
@@ -60,9 +60,9 @@ class AllanPlot(Plot):
                     self.add_text(*self._place_of(line.taus, line.values), line.words)
         for curve in state.curves:
             self.add_curve(
-                curve.taus, curve.deviation, curve.colour, curve.name, dashed=curve.before
+                curve.taus, curve.deviation, curve.colour, curve.name, dashed=curve.aside
             )
-            if not curve.before and len(state.curves) < 4:
+            if not curve.aside and len(state.curves) < 4:
                 self.add_points(curve.taus, curve.deviation, curve.colour)
         self._range(state)
         chosen = state.curves[len(state.curves) - 1]

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QLabel, QWidget
 
 from core.records.noise_study import StudyRequest
 from gui.allan.state import ChoiceState
+from gui.allan.texts import DEVIATIONS
 from gui.widgets.fields import ChoiceField, NumberField
 
 _UNITS = ("", "deg/s", "m/s^2", "code", "V")
@@ -30,8 +31,11 @@ class SettingsView(QWidget):
         self.increments = QCheckBox()
         self.regressor, self.order = ChoiceField(), ChoiceField()
         self.order.addItems(["1", "2", "3"])
+        self.beside = ChoiceField()
+        for key in ("", *DEVIATIONS):
+            self.beside.addItem("", key)
         self.unit.addItems(_UNITS)
-        self._labels = [QLabel() for _ in range(7)]
+        self._labels = [QLabel() for _ in range(8)]
         form = QFormLayout(self)
         unit = self.fontMetrics().height()
         form.setContentsMargins(unit // 2, unit // 2, unit // 2, unit // 2)
@@ -44,6 +48,7 @@ class SettingsView(QWidget):
             self.bandwidth,
             self.regressor,
             self.order,
+            self.beside,
         )
         for label, field in zip(self._labels, fields, strict=True):
             label.setBuddy(field)
@@ -53,7 +58,7 @@ class SettingsView(QWidget):
             field.valueChanged.connect(self._on_edited)
             # Their largest numbers, which nobody enters, would make the pane too wide.
             field.setMinimumWidth(6 * unit)
-        for field in (self.channel, self.unit, self.regressor, self.order):
+        for field in (self.channel, self.unit, self.regressor, self.order, self.beside):
             field.currentIndexChanged.connect(self._on_edited)
             field.setSizeAdjustPolicy(
                 QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
@@ -83,7 +88,9 @@ class SettingsView(QWidget):
         self.unit.setItemText(0, state.unit or "code")
         self.order.setCurrentIndex(request.order - 1)
         self.increments.setChecked(request.increments)
-        for field in (self.rate, self.bandwidth, self.regressor, self.order, self.increments):
+        self.beside.setCurrentIndex(self.beside.findData(request.beside))
+        of_records = (self.rate, self.bandwidth, self.regressor, self.order, self.increments)
+        for field in (*of_records, self.beside):
             field.setEnabled(not state.live)
         self._rendering = False
 
@@ -105,6 +112,7 @@ class SettingsView(QWidget):
             increments=self.increments.isChecked(),
             regressors=(self.regressor.currentText(),) if regressed else (),
             order=self.order.currentIndex() + 1,
+            beside=str(self.beside.currentData()),
         )
         if channel in request.regressors:
             request = replace(request, regressors=())
@@ -133,6 +141,10 @@ class SettingsView(QWidget):
                 self.tr("Show the curve before and after taking off what this channel explains."),
             ),
             (self.tr("Order"), self.tr("Highest power of that channel.")),
+            (
+                self.tr("Beside"),
+                self.tr("Another deviation beside Allan's; needs the package AllanTools."),
+            ),
         )
         for label, (text, tip) in zip(self._labels, words, strict=True):
             label.setText(text)
@@ -141,6 +153,9 @@ class SettingsView(QWidget):
             if buddy is not None:
                 buddy.setAccessibleName(text)
                 buddy.setToolTip(tip)
+        names = (self.tr("nothing"), self.tr("Hadamard"), self.tr("modified"), self.tr("total"))
+        for place, name in enumerate(names):
+            self.beside.setItemText(place, name)
         self.bandwidth.setSpecialValueText(self.tr("found"))
         self.increments.setText(self.tr("Angle increments (fit Q)"))
         self.increments.setToolTip(

@@ -54,7 +54,7 @@ class ChoiceState:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class CurveState:
-    """One curve of the plot; `before` is drawn thinly beside the one after a regression."""
+    """One curve of the plot; one `aside`, such as that before a regression, is drawn dashed."""
 
     name: str
     colour: int
@@ -63,7 +63,7 @@ class CurveState:
     lower: FloatArray
     upper: FloatArray
     edf: FloatArray
-    before: bool = False
+    aside: bool = False
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -3,9 +3,17 @@
 import math
 from collections.abc import Sequence
 
+from core.allan.curve import AllanCurve
 from core.records.noise_study import NoiseStudy
 from core.records.noise_tables import Compared, Quote
 from gui.widgets.number_text import decimals_of, fixed, significant
+
+DEVIATIONS = {
+    "hadamard": "Hadamard deviation",
+    "modified": "Modified Allan deviation",
+    "total": "Total deviation",
+}
+"""Names of the deviations that can stand beside Allan's."""
 
 _MOST_DECIMALS = 6
 _SHORT = {
@@ -75,6 +83,24 @@ def duration(seconds: float) -> str:
         if seconds >= 2.0 * size or (unit == "h" and seconds >= size):
             return f"{seconds / size:.3g} {unit}"
     return f"{seconds:.3g} s"
+
+
+def curve_rows(curve: AllanCurve, wanted: int = 12) -> list[tuple[str, ...]]:
+    """Return some points of a curve as texts: tau, deviation, lower, upper, degrees of freedom."""
+    step = max(1, len(curve.taus) // wanted)
+    return [
+        tuple(
+            short(float(array[place]), digits)
+            for array, digits in (
+                (curve.taus, 4),
+                (curve.deviation, 4),
+                (curve.lower, 4),
+                (curve.upper, 4),
+                (curve.edf, 3),
+            )
+        )
+        for place in range(0, len(curve.taus), step)
+    ]
 
 
 def titled(study: NoiseStudy) -> str:

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from core.allan.conventions import conventions
+from core.allan.curve import AllanCurve
 from core.records.noise_exports import NOISE_EXPORTS, export_noise
 from core.records.noise_study import NoiseStudy, StudyRequest, study
 from core.records.noise_tables import (
@@ -24,7 +25,17 @@ from core.records.noise_tables import (
     terms_of,
 )
 from drivers.series import read_series
-from gui.allan.texts import compared_rows, duration, interval, quoted, short, titled, words_of
+from gui.allan.texts import (
+    DEVIATIONS,
+    compared_rows,
+    curve_rows,
+    duration,
+    interval,
+    quoted,
+    short,
+    titled,
+    words_of,
+)
 from gui.commands.answer import Answer
 
 _T = TypeVar("_T")
@@ -68,6 +79,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--order", type=int, choices=(1, 2, 3), default=1, help="highest power (1)")
     parser.add_argument(
+        "--beside",
+        choices=tuple(DEVIATIONS),
+        default="",
+        help="another deviation too; needs the package AllanTools",
+    )
+    parser.add_argument(
         "--export",
         nargs=2,
         action="append",
@@ -94,6 +111,7 @@ def run(args: argparse.Namespace) -> Answer:
             bandwidth=args.bandwidth,
             regressors=tuple(args.regress),
             order=args.order,
+            beside=args.beside,
         )
         one = study(read_series(path), request)
         studies.append(one)
@@ -145,6 +163,8 @@ def _plain(one: NoiseStudy) -> dict[str, object]:
         }
         plain["curve_after"] = one.after.curve
         plain["coefficients_after"] = one.after.rows
+    if one.beside is not None:
+        plain["curve_beside"] = one.beside
     return plain
 
 
@@ -156,7 +176,10 @@ def _report(one: NoiseStudy) -> list[str]:
         f" {one.unit}; overlapping Allan deviation, limits of one sigma ({curve.mode})",
         "",
     ]
-    lines += _indented(_curve_rows(one))
+    lines += _indented(_curve_rows(one.published.curve, one.unit))
+    if one.beside is not None:
+        lines += ["", f"  {DEVIATIONS[one.beside.mode]}, limits of one sigma"]
+        lines += _indented(_curve_rows(one.beside, one.unit))
     if one.regression is not None:
         lines += ["", "  Regression (value and standard uncertainty)"]
         found = one.regression
@@ -178,16 +201,8 @@ def _report(one: NoiseStudy) -> list[str]:
     return [*lines, ""]
 
 
-def _curve_rows(one: NoiseStudy) -> list[tuple[str, ...]]:
-    """Some twelve points of the curve."""
-    curve = one.published.curve
-    step = max(1, len(curve.taus) // 12)
-    rows: list[tuple[str, ...]] = [("tau, s", f"sigma, {one.unit}", "lower", "upper", "dof")]
-    for place in range(0, len(curve.taus), step):
-        values = (curve.deviation, curve.lower, curve.upper)
-        cells = tuple(f"{float(array[place]):.4g}" for array in values)
-        rows.append((f"{curve.taus[place]:.4g}", *cells, f"{curve.edf[place]:.3g}"))
-    return rows
+def _curve_rows(curve: AllanCurve, unit: str) -> list[tuple[str, ...]]:
+    return [("tau, s", f"sigma, {unit}", "lower", "upper", "dof"), *curve_rows(curve)]
 
 
 def _method_rows(one: NoiseStudy, *, before: bool) -> list[tuple[str, ...]]:

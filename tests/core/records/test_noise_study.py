@@ -1,5 +1,7 @@
 """A record analysed as the tab and the command do it."""
 
+import sys
+
 import numpy as np
 import pytest
 
@@ -54,3 +56,20 @@ def test_a_scale_factor_makes_rates_of_volts() -> None:
     ratio = plain.published.row("random_walk").value / found.published.row("random_walk").value
     assert ratio == pytest.approx(2.0, rel=1e-6)
     assert (found.unit, found.scale_factor) == ("deg/s", 2.0)
+
+
+def test_another_deviation_stands_beside_and_is_of_what_the_regression_left() -> None:
+    plain = study(record(8000, slope=0.5), StudyRequest(beside="hadamard")).beside
+    assert plain is not None
+    assert plain.mode == "hadamard"
+    request_ = StudyRequest(beside="hadamard", regressors=("temp",))
+    left = study(record(8000, slope=0.5), request_).beside
+    assert left is not None
+    assert left.deviation[-1] < 0.9 * plain.deviation[-1]
+
+
+def test_without_its_library_the_other_deviation_is_a_note(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "allantools", None)
+    found = study(record(4000), StudyRequest(beside="total"))
+    assert found.beside is None
+    assert "pip install" in next(note.text for note in found.notes if note.subject == "beside")

@@ -79,7 +79,7 @@ def test_regression_chosen_in_the_form_shows_before_and_after(
     state = tab.presenter.state
     assert state.picture is not None
     before, after = state.picture.curves
-    assert before.before
+    assert before.aside
     assert after.deviation[-1] < 0.5 * before.deviation[-1]
     found = tab.library.studies[0].regression
     assert found is not None
@@ -160,3 +160,20 @@ def test_everything_is_exported(
     qtbot.waitUntil(path.exists, timeout=10_000)
     assert "25-143" in path.name
     assert path.stat().st_size > 200
+
+
+def test_another_deviation_is_drawn_dashed_and_told_in_a_table(
+    tab: AllanTab, qtbot: QtBot, records: list[Path]
+) -> None:
+    add(tab, qtbot, records[0])
+    beside = tab.view.settings.beside
+    beside.setCurrentIndex(beside.findData("total"))
+    qtbot.waitUntil(lambda: tab.library.studies[0].beside is not None, timeout=30_000)
+    state = tab.presenter.state
+    assert state.picture is not None
+    assert [(curve.name, curve.aside) for curve in state.picture.curves] == [
+        ("25-143 GyroOut, Total deviation", True),
+        ("25-143 GyroOut", False),
+    ]
+    assert state.findings is not None
+    assert "Total deviation" in [table.title for table in state.findings.tables]

@@ -120,3 +120,17 @@ def test_a_record_that_cannot_be_used_is_said_in_words(
     said = capsys.readouterr().err
     assert words in said
     assert "Traceback" not in said
+
+
+def test_another_deviation_beside(
+    records: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out, curves = tmp_path / "o.json", tmp_path / "c.csv"
+    asked = ["allan", records[0], "--beside", "modified", "--export", "curves", str(curves)]
+    assert main([*asked, "--json", str(out)]) == 0
+    assert "Modified Allan deviation" in capsys.readouterr().out
+    found = json.loads(out.read_text(encoding="utf-8"))["records"][0]
+    assert found["curve_beside"]["mode"] == "modified"
+    kinds = [line.rpartition(",")[2] for line in curves.read_text("utf-8").splitlines()[1:]]
+    assert set(kinds) == {"allan", "modified"}
+    assert kinds.count("modified") == len(found["curve_beside"]["taus"])
