@@ -16,6 +16,10 @@ calibration_json
     `Calibration` <-> JSON, to the last bit.
 exports, export_c, export_csv, export_mat
     `EXPORTS`: calibrations for firmware, spreadsheets and MATLAB.
+drift_exports, thermal_exports
+    Drift tables and calibrations over temperature for firmware and spreadsheets.
+json_text
+    Any result as JSON text.
 atomic, text, names, json_fields, replicates
     Whole files or nothing; text of any lab computer; file names from device names; JSON that names
     what is wrong in it; replicates of a position.

@@ -68,8 +68,8 @@ def test_the_compiled_triad_gives_the_programs_forces(tmp_path: Path, make_chamb
     found = answers(tmp_path, calibration, TRIAD, asked)
     expected = np.vstack(
         [
-            calibration.triad_at(float(t)).calibrated(y[None])
-            for y, t in zip(run.y, run.temperature_c)
+            calibration.triad_at(float(run.temperature_c[row])).calibrated(run.y[[row]])
+            for row in range(len(run))
         ]
     )
     assert found[:, :3] == pytest.approx(expected, rel=1e-12, abs=1e-12)
