@@ -294,6 +294,9 @@ def test(environment: Environment, arguments: list[str]) -> int:
     """Lint, check and test; pytest comes last, so that its summary closes the output."""
     environ = headless_environment()
     provide_libraries(environ)
+    servers = Path("/usr/lib/postgresql").glob("*/bin/initdb")  # Debian keeps them off the path
+    if sys.platform == "linux" and not (shutil.which("initdb") or any(servers)):
+        install_system_packages(["postgresql"], "The archive's tests start a PostgreSQL server.")
     environment.prepare(DEVELOPMENT)
     import_rules = "from importlinter.cli import lint_imports_command as main; main()"
     checks = {
