@@ -6,8 +6,11 @@ the reports name it; all four through this class.
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
+from enum import Enum
 
-from core.arrays import FloatArray
+import numpy as np
+
+from core.arrays import FloatArray, IntArray
 from core.model.stimulus import Stimulus
 
 AXES = ("x", "y", "z")
@@ -22,11 +25,14 @@ class Sensor:
     kind : ``"accelerometer"`` or ``"gyro"``
     axis : case axis along which the input axis nominally lies, ``"x"``, ``"y"`` or ``"z"``
     unit : unit of the output
+    response : (3,) output per unit of input along the case axes, as far as it is known; effects of
+        the rig act through it. Empty for 1 along the own axis and 0 across
     """
 
     kind: str
     axis: str
     unit: str
+    response: tuple[float, ...] = ()
 
     @property
     def index(self) -> int:
@@ -38,6 +44,13 @@ class Sensor:
         """The two other case axes, in alphabetical order."""
         first, second = (axis for axis in AXES if axis != self.axis)
         return first, second
+
+    @property
+    def sensitivity(self) -> FloatArray:
+        """Output (3,) per unit of input along the case axes."""
+        if self.response:
+            return np.array(self.response)
+        return np.array([float(axis == self.axis) for axis in AXES])
 
     @property
     def input_unit(self) -> str:
@@ -65,8 +78,26 @@ class Parameter:
     unit: str
 
 
+class Kind(Enum):
+    """How an effect takes part in a search for what a model lacks."""
+
+    MODEL = "model"
+    """Belongs to every calibration model; never proposed."""
+    BLOCK = "block"
+    """Columns, perhaps at several places or of several shapes."""
+    EVENT = "event"
+    """Columns at single rows: one thing that went wrong once."""
+    RELABEL = "relabel"
+    """Rows mean something else than they say; nothing is fitted."""
+    EXCHANGE = "exchange"
+    """Two rows stand in each other's place; nothing is fitted."""
+
+
 class Effect(ABC):
     """A physical cause that adds to the output of a sensor, linear in its parameters.
+
+    What is not linear (a time constant, a place, a level) is the shape of an instance: every
+    instance is an effect itself, and `instances` lists those that the rows could show.
 
     Attributes
     ----------
@@ -75,6 +106,14 @@ class Effect(ABC):
     plain : what it does, in plain words
     equation : the term that it adds to the output U
     needs : columns of the stimulus beyond `a` and `w`
+    kind : how it takes part in a search
+    tests : tests of a `Run` in which it can act
+    sensors : kinds of sensor in which it can act
+    shared : it acts on all sensors of a unit at once, by the same parameters
+    seen_as : what its residuals look like
+    remedy : what to do about it
+    confused_with : identifiers of effects that look alike in some plans
+    typical : usual size of its first parameter, by kind of sensor
     """
 
     id: str
@@ -82,6 +121,14 @@ class Effect(ABC):
     plain: str
     equation: str
     needs: tuple[str, ...] = ()
+    kind: Kind = Kind.MODEL
+    tests: tuple[str, ...] = ()
+    sensors: tuple[str, ...] = ("accelerometer", "gyro")
+    shared: bool = False
+    seen_as: str = ""
+    remedy: str = ""
+    confused_with: tuple[str, ...] = ()
+    typical: dict[str, float] = {}  # noqa: RUF012
 
     @abstractmethod
     def parameters(self, sensor: Sensor) -> tuple[Parameter, ...]:
@@ -90,3 +137,28 @@ class Effect(ABC):
     @abstractmethod
     def columns(self, stimulus: Stimulus, sensor: Sensor) -> FloatArray:
         """Return (n, p): the output that one unit of each parameter adds in each row."""
+
+    @property
+    def shape(self) -> tuple[tuple[Parameter, float], ...]:
+        """What this instance is fixed at: time constant, level, row, run..."""
+        return ()
+
+    def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple["Effect", ...]:
+        """The places and shapes that these rows could show; this one alone where it has none."""
+        return (self,)
+
+    def near(self) -> tuple["Effect", ...]:
+        """Instances whose shape is a little smaller and larger, to refine a grid."""
+        return ()
+
+    def relabel(self, stimulus: Stimulus, y: FloatArray) -> tuple[Stimulus, FloatArray]:
+        """Put right what the rows say; `y` is (n, c). Only for relabelling effects."""
+        return stimulus, y
+
+    def exchanges(self, stimulus: Stimulus) -> IntArray:
+        """Return (m, 2): pairs of rows that could stand in each other's place."""
+        return np.zeros((0, 2), dtype=np.int64)
+
+    def exchanged(self, first: int, second: int) -> "Effect":
+        """The instance that exchanges two rows."""
+        return self

@@ -150,9 +150,16 @@ def stimulus_of(
             "t_s": run.t_s,
             "order": run.order.astype(np.float64),
             "run": run.run.astype(np.float64),
+            "mount": _mount_numbers(run),
             **run.extra,
         },
     )
+
+
+def _mount_numbers(run: Run) -> FloatArray:
+    """Each mount's number, from 0, as they first appear; columns hold numbers alone."""
+    known = {mount: number for number, mount in enumerate(dict.fromkeys(run.mount))}
+    return np.array([float(known[mount]) for mount in run.mount])
 
 
 _Acting = tuple[FloatArray, FloatArray, FloatArray, FloatArray]

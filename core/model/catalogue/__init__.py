@@ -1,7 +1,17 @@
 """Every effect that CalRig knows.
 
 common, gyro
-    Effects of the sensors themselves.
+    What belongs to every calibration: bias, scale factor, cross axes, g-sensitivity.
+nonlinear, history, gyro_static
+    Further effects of the sensors themselves.
+rig, table
+    Effects of the dividing head, of mounting, and of the rate table.
+timeline
+    Drift, temperature, warm-up, jumps, offsets of runs, pick-up.
+faults
+    Mistakes of the operator and faults of the data.
+terms
+    Scaled inputs, neighbours in time and groups, which the effects are made of.
 listing
     `CATALOGUE`: all of them by identifier.
 """

@@ -1,0 +1,96 @@
+"""Effects of what came before: hysteresis and settling."""
+
+import numpy as np
+
+from core.arrays import FloatArray
+from core.model.catalogue.terms import ALL, column, ideal, own, previous, small_gain, small_unit
+from core.model.catalogue.terms import sign as sign_of
+from core.model.effect import Effect, Kind, Parameter, Sensor
+from core.model.stimulus import Stimulus
+
+
+class Hysteresis(Effect):
+    """Hysteresis (IEEE 528): the output remembers from which side it came.
+
+    Parameters
+    ----------
+    through_runs : the first row of a run came from the last of the run before
+    by_turning : the side is that in which the input moved at the end of the turn, else that of
+        the last input
+    """
+
+    id = "hysteresis"
+    name = "Hysteresis"
+    plain = "the output depends on whether the input rose or fell before"
+    equation = "k * h * sign(x - x_previous)"
+    kind = Kind.BLOCK
+    tests = ALL
+    needs = ("order",)
+    seen_as = "runs with rising and with falling input lie apart"
+    remedy = "approach all positions from one side, or state the two branches"
+    confused_with = ("settling_lag", "bias_asymmetry")
+    typical = {"accelerometer": 0.1, "gyro": 0.02}  # noqa: RUF012
+
+    def __init__(self, *, through_runs: bool = True, by_turning: bool = False) -> None:
+        self._through, self._turning = through_runs, by_turning
+
+    def parameters(self, sensor: Sensor) -> tuple[Parameter, ...]:
+        """One: half the width of the loop, mg or deg/s."""
+        return (Parameter("hysteresis", "h", small_unit(sensor)),)
+
+    def columns(self, stimulus: Stimulus, sensor: Sensor) -> FloatArray:
+        """1 after a rise, -1 after a fall, 0 where it is not known."""
+        before = previous(stimulus, through_runs=self._through)
+        x = own(stimulus, sensor)
+        change = x - x[before]
+        if self._turning and "head_deg" in stimulus.columns:
+            head = stimulus.columns["head_deg"]
+            turn = (head - head[before] + 180.0) % 360.0 - 180.0
+            change = stimulus.da_dhead[:, sensor.index] * turn
+        return column(small_gain(sensor) * sign_of(change))
+
+    def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
+        """All ways in which the side can be meant."""
+        ways = (False, True) if np.any(stimulus.da_dhead) else (False,)
+        return tuple(
+            Hysteresis(through_runs=through, by_turning=turning)
+            for through in (True, False)
+            for turning in ways
+        )
+
+
+class SettlingLag(Effect):
+    """The accumulation began before the output had settled.
+
+    Parameters
+    ----------
+    through_runs : the first row of a run came from the last of the run before
+    """
+
+    id = "settling_lag"
+    name = "Settling lag"
+    plain = "a part of the way from the position before is still missing"
+    equation = "rho * (U_previous - U)"
+    kind = Kind.BLOCK
+    tests = ALL
+    needs = ("order",)
+    seen_as = "residuals follow the step from the position before"
+    remedy = "wait longer before each accumulation"
+    confused_with = ("hysteresis", "short_accumulation")
+    typical = {"accelerometer": 0.1, "gyro": 0.1}  # noqa: RUF012
+
+    def __init__(self, *, through_runs: bool = True) -> None:
+        self._through = through_runs
+
+    def parameters(self, sensor: Sensor) -> tuple[Parameter, ...]:
+        """One: the missing part, %."""
+        return (Parameter("lag", "rho", "%"),)
+
+    def columns(self, stimulus: Stimulus, sensor: Sensor) -> FloatArray:
+        """The step back to the row before."""
+        u = ideal(stimulus, sensor)
+        return column(0.01 * (u[previous(stimulus, through_runs=self._through)] - u))
+
+    def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
+        """With and without memory of the run before."""
+        return (SettlingLag(), SettlingLag(through_runs=False))

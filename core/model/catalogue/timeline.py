@@ -1,0 +1,322 @@
+"""Effects of time and temperature: drift, warm-up, jumps, offsets of runs, pick-up."""
+
+import numpy as np
+
+from core.arrays import FloatArray
+from core.model.catalogue.terms import (
+    ALL,
+    TABLE,
+    column,
+    gain,
+    grid,
+    hours,
+    levels,
+    own,
+    small_gain,
+    small_unit,
+)
+from core.model.effect import Effect, Kind, Parameter, Sensor
+from core.model.stimulus import Stimulus
+
+_MINUTES_PER_H = 60.0
+
+
+class BiasDrift(Effect):
+    """Rate ramp of IEEE 952; steady drift of the bias."""
+
+    id = "bias_drift"
+    name = "Bias drift"
+    plain = "the bias goes steadily with time"
+    equation = "D * t"
+    kind = Kind.BLOCK
+    tests = ALL
+    seen_as = "a straight line against time"
+    remedy = "wait until it has settled; repeat the first positions at the end"
+    confused_with = ("bias_temperature", "warm_up", "run_bias", "remount_bias")
+    typical = {"accelerometer": 0.3, "gyro": 0.05}  # noqa: RUF012
+
+    def parameters(self, sensor: Sensor) -> tuple[Parameter, ...]:
+        """One: mg/h or (deg/s)/h."""
+        return (Parameter("drift", "D", f"{small_unit(sensor)}/h"),)
+
+    def columns(self, stimulus: Stimulus, sensor: Sensor) -> FloatArray:
+        """Time since the first row."""
+        return column(small_gain(sensor) * hours(stimulus))
+
+
+class BiasTemperature(Effect):
+    """Bias temperature sensitivity D_T (IEEE 952)."""
+
+    id = "bias_temperature"
+    name = "Bias temperature sensitivity"
+    plain = "the bias follows the temperature"
+    equation = "bT * (T - T0)"
+    needs = ("temperature_c",)
+    kind = Kind.BLOCK
+    tests = ALL
+    seen_as = "a straight line against temperature"
+    remedy = "calibrate over temperature; change the temperature on purpose by 10 degrees"
+    confused_with = ("bias_drift", "warm_up", "scale_factor_temperature")
+    typical = {"accelerometer": 0.3, "gyro": 0.03}  # noqa: RUF012
+
+    def parameters(self, sensor: Sensor) -> tuple[Parameter, ...]:
+        """One: mg/degC or (deg/s)/degC."""
+        return (Parameter("bias_temperature", "b_T", f"{small_unit(sensor)}/degC"),)
+
+    def columns(self, stimulus: Stimulus, sensor: Sensor) -> FloatArray:
+        """Temperature from its mean."""
+        t = stimulus.column("temperature_c")
+        return column(small_gain(sensor) * (t - t.mean()))
+
+
+class ScaleFactorTemperature(Effect):
+    """Scale-factor temperature sensitivity (IEEE 528)."""
+
+    id = "scale_factor_temperature"
+    name = "Scale-factor temperature sensitivity"
+    plain = "the sensitivity follows the temperature"
+    equation = "k * kT * (T - T0) * x"
+    needs = ("temperature_c",)
+    kind = Kind.BLOCK
+    tests = ALL
+    seen_as = "slope of the characteristic changes with temperature"
+    remedy = "calibrate over temperature; state T0 with the scale factor"
+    confused_with = ("bias_temperature", "third_order_nonlinearity")
+    typical = {"accelerometer": 100.0, "gyro": 100.0}  # noqa: RUF012
+
+    def parameters(self, sensor: Sensor) -> tuple[Parameter, ...]:
+        """One: ppm/degC."""
+        return (Parameter("scale_factor_temperature", "k_T", "ppm/degC"),)
+
+    def columns(self, stimulus: Stimulus, sensor: Sensor) -> FloatArray:
+        """Temperature from its mean times the input."""
+        t = stimulus.column("temperature_c")
+        return column(1e-6 * gain(sensor) * (t - t.mean()) * own(stimulus, sensor))
+
+
+class WarmUp(Effect):
+    """The bias settles after switching on.
+
+    Parameters
+    ----------
+    tau_min : time constant, min
+    """
+
+    id = "warm_up"
+    name = "Warm-up"
+    plain = "after switching on the bias settles exponentially"
+    equation = "W * exp(-t / tau)"
+    kind = Kind.BLOCK
+    tests = ALL
+    seen_as = "the first rows lie off and come closer"
+    remedy = "switch on earlier; begin when the temperature stands"
+    confused_with = ("bias_drift", "bias_temperature")
+    typical = {"accelerometer": 1.0, "gyro": 0.1}  # noqa: RUF012
+
+    def __init__(self, tau_min: float = 5.0) -> None:
+        self._tau = tau_min
+
+    @property
+    def shape(self) -> tuple[tuple[Parameter, float], ...]:
+        """The time constant."""
+        return ((Parameter("tau", "tau", "min"), self._tau),)
+
+    def parameters(self, sensor: Sensor) -> tuple[Parameter, ...]:
+        """One: the shift at the first row, mg or deg/s."""
+        return (Parameter("warm_up", "W", small_unit(sensor)),)
+
+    def columns(self, stimulus: Stimulus, sensor: Sensor) -> FloatArray:
+        """The exponential from the first row on."""
+        decay: FloatArray = np.exp(-_MINUTES_PER_H * hours(stimulus) / self._tau)
+        return column(small_gain(sensor) * decay)
+
+    def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
+        """Time constants that these rows could tell from a jump and from a line."""
+        minutes = _MINUTES_PER_H * hours(stimulus)
+        span = float(minutes[-1] - minutes[0])
+        step = float(np.median(np.diff(minutes))) if len(minutes) > 1 else 0.0
+        if not span > step > 0.0:
+            return ()
+        return tuple(WarmUp(tau) for tau in grid(2.0 * step, max(0.6 * span, 2.1 * step), 9))
+
+    def near(self) -> tuple[Effect, ...]:
+        """A little faster and slower."""
+        return (WarmUp(self._tau / 1.12), WarmUp(self._tau * 1.12))
+
+
+class BiasJump(Effect):
+    """The bias jumped.
+
+    Parameters
+    ----------
+    row : first row after the jump
+    """
+
+    id = "bias_jump"
+    name = "Bias jump"
+    plain = "the bias jumped once and stayed"
+    equation = "J from one row on"
+    kind = Kind.EVENT
+    tests = ALL
+    seen_as = "a step against time"
+    remedy = "repeat the test; look for a knock, a re-start, a change of the supply"
+    confused_with = ("run_bias", "remount_bias", "bias_drift")
+    typical = {"accelerometer": 0.3, "gyro": 0.05}  # noqa: RUF012
+
+    def __init__(self, row: int = 0) -> None:
+        self._row = row
+
+    @property
+    def shape(self) -> tuple[tuple[Parameter, float], ...]:
+        """The first row after it, from 1."""
+        return ((Parameter("from_row", "", ""), float(self._row + 1)),)
+
+    def parameters(self, sensor: Sensor) -> tuple[Parameter, ...]:
+        """One: mg or deg/s."""
+        return (Parameter("jump", "J", small_unit(sensor)),)
+
+    def columns(self, stimulus: Stimulus, sensor: Sensor) -> FloatArray:
+        """Ones from that row on."""
+        return column(small_gain(sensor) * (np.arange(len(stimulus)) >= self._row))
+
+    def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
+        """After every row but the outermost."""
+        return tuple(BiasJump(row) for row in range(2, len(stimulus) - 1))
+
+
+class RunBias(Effect):
+    """Turn-on repeatability of the bias.
+
+    Parameters
+    ----------
+    run : number of the run
+    """
+
+    id = "run_bias"
+    name = "Run-to-run bias"
+    plain = "the bias is another one in one run"
+    equation = "b in that run"
+    needs = ("run",)
+    kind = Kind.BLOCK
+    tests = ALL
+    seen_as = "one run lies off"
+    remedy = "leave the unit powered between runs; state the turn-on repeatability"
+    confused_with = ("bias_drift", "bias_jump", "remount_bias")
+    typical = {"accelerometer": 0.5, "gyro": 0.05}  # noqa: RUF012
+
+    def __init__(self, run: float = 0.0) -> None:
+        self._run = run
+
+    @property
+    def shape(self) -> tuple[tuple[Parameter, float], ...]:
+        """Which run."""
+        return ((Parameter("run", "", ""), self._run),)
+
+    def parameters(self, sensor: Sensor) -> tuple[Parameter, ...]:
+        """One: mg or deg/s."""
+        return (Parameter("run_bias", "b", small_unit(sensor)),)
+
+    def columns(self, stimulus: Stimulus, sensor: Sensor) -> FloatArray:
+        """Ones in that run."""
+        return column(small_gain(sensor) * (stimulus.column("run") == self._run))
+
+    def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
+        """Every run, if there are several."""
+        runs = levels(stimulus.column("run"))
+        return tuple(RunBias(run) for run in runs) if len(runs) > 1 else ()
+
+
+class RunScaleFactor(Effect):
+    """Turn-on repeatability of the scale factor.
+
+    Parameters
+    ----------
+    run : number of the run
+    """
+
+    id = "run_scale_factor"
+    name = "Run-to-run scale factor"
+    plain = "the sensitivity is another one in one run"
+    equation = "k * s * x in that run"
+    needs = ("run",)
+    kind = Kind.BLOCK
+    tests = TABLE
+    sensors = ("gyro",)
+    seen_as = "one run has another slope"
+    remedy = "leave the unit powered between runs; check the speed of the table"
+    confused_with = ("scale_factor_temperature",)
+    typical = {"gyro": 300.0}  # noqa: RUF012
+
+    def __init__(self, run: float = 0.0) -> None:
+        self._run = run
+
+    @property
+    def shape(self) -> tuple[tuple[Parameter, float], ...]:
+        """Which run."""
+        return ((Parameter("run", "", ""), self._run),)
+
+    def parameters(self, sensor: Sensor) -> tuple[Parameter, ...]:
+        """One: ppm."""
+        return (Parameter("run_scale_factor", "s", "ppm"),)
+
+    def columns(self, stimulus: Stimulus, sensor: Sensor) -> FloatArray:
+        """The input in that run."""
+        here = stimulus.column("run") == self._run
+        return column(1e-6 * gain(sensor) * own(stimulus, sensor) * here)
+
+    def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
+        """Every run, if there are several."""
+        runs = levels(stimulus.column("run"))
+        return tuple(RunScaleFactor(run) for run in runs) if len(runs) > 1 else ()
+
+
+class Pickup(Effect):
+    """A line of mains or motor, folded into the accumulations.
+
+    Parameters
+    ----------
+    cycles : periods over the whole test
+    """
+
+    id = "pickup"
+    name = "Periodic pick-up"
+    plain = "something periodic in time is picked up"
+    equation = "A * sin(2 pi f t + phase)"
+    kind = Kind.BLOCK
+    tests = ALL
+    seen_as = "a sine against time"
+    remedy = "look for mains and motors; reverse a run, which tells it from an error of the head"
+    confused_with = ("head_periodic_error",)
+    typical = {"accelerometer": 0.1, "gyro": 0.02}  # noqa: RUF012
+
+    def __init__(self, cycles: float = 10.0) -> None:
+        self._cycles = cycles
+
+    @property
+    def shape(self) -> tuple[tuple[Parameter, float], ...]:
+        """Periods over the whole test."""
+        return ((Parameter("cycles", "f", "1/test"), self._cycles),)
+
+    def parameters(self, sensor: Sensor) -> tuple[Parameter, ...]:
+        """Sine and cosine part, mg or deg/s."""
+        unit = small_unit(sensor)
+        return (Parameter("pickup_sine", "A_s", unit), Parameter("pickup_cosine", "A_c", unit))
+
+    def columns(self, stimulus: Stimulus, sensor: Sensor) -> FloatArray:
+        """Sine and cosine of time."""
+        t = hours(stimulus)
+        span = float(np.ptp(t))
+        angle = 2.0 * np.pi * self._cycles * t / (span if span > 0.0 else 1.0)
+        return small_gain(sensor) * column(np.sin(angle), np.cos(angle))
+
+    def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
+        """From three periods to the fold, half a period apart."""
+        fastest = (len(stimulus) - 1) / 2.0
+        if fastest < 4.0:
+            return ()
+        step = max(0.5, (fastest - 3.0) / 120.0)
+        return tuple(Pickup(float(cycles)) for cycles in np.arange(3.0, fastest - 0.25, step))
+
+    def near(self) -> tuple[Effect, ...]:
+        """A little slower and faster."""
+        return (Pickup(self._cycles - 0.07), Pickup(self._cycles + 0.07))
