@@ -172,6 +172,10 @@ class Measuring:
         if self._phase is not Phase.FINISHED:
             self._give_up()
 
+    def wait_for_motion(self) -> None:
+        """Hands-free: the rig is not set yet; begin only after it has moved."""
+        self._at_step = self._place
+
     def interrupted(self) -> None:
         """The link broke: what was being accumulated is incomplete and is given up.
 

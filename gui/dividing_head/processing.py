@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
+from core.arrays import FloatArray
 from core.errors import FitError, Note, Severity, StorageError
 from core.fit.result import FitResult
 from core.plans.orientation import BaseOrientation
@@ -14,8 +15,7 @@ from core.procedures.dividing_head import calibrate
 from core.records.calibration_json import write_calibration
 from core.records.session.record import SessionRecord
 from core.samples.run import Conditions, Run
-from gui.dividing_head.live import mg_per_unit
-from gui.dividing_head.loading import Choice, load
+from core.units import MILLI
 from gui.dividing_head.nominal import FILE
 from gui.dividing_head.settings import HeadSettings
 from gui.dividing_head.tables import (
@@ -27,42 +27,56 @@ from gui.dividing_head.tables import (
     parameter_table,
     residuals,
 )
-from gui.widgets.states import MatrixState, ResidualState, TableState
+from gui.measuring.loading import Choice, load
+from gui.measuring.page import Part, ResultsPage
+from gui.widgets.states import MatrixState, TableState
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class ResultsState:
-    """The results page.
+class HeadResult:
+    """What processing gives.
 
     Parameters
     ----------
-    title : device and number of positions
-    source : session or file
-    parameters : of every sensor
-    matrices : K with U0, and Q, of a triad
-    residuals : by position
-    tables : what else there is, in the order of reading
-    notes : every doubt
+    page : what is shown
     mg_per_unit : milli-g of one unit of output, by the role of the channel
     calibration, run, base : what the tables and the exports are made of
     """
 
-    title: str
-    source: str
-    parameters: TableState
-    matrices: tuple[tuple[MatrixState, ...], ...]
-    residuals: ResidualState
-    tables: tuple[TableState, ...]
-    notes: tuple[Note, ...]
+    page: ResultsPage
     mg_per_unit: Mapping[str, float]
     calibration: Calibration
     run: Run
     base: BaseOrientation
 
+    @property
+    def matrices(self) -> tuple[tuple[MatrixState, ...], ...]:
+        """K with U0, and Q, of a triad."""
+        return tuple(part for part in self.page.parts if isinstance(part, tuple))
+
+    @property
+    def tables(self) -> tuple[TableState, ...]:
+        """Every table."""
+        return self.page.tables
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """Every doubt."""
+        return self.page.notes
+
+    def with_part(self, part: TableState) -> "HeadResult":
+        """The result with one more table at its end, instead of one of the same title."""
+        kept = tuple(
+            one
+            for one in self.page.parts
+            if not (isinstance(one, TableState) and one.title == part.title)
+        )
+        return replace(self, page=replace(self.page, parts=(*kept, part)))
+
 
 def of_session(
     record: SessionRecord, settings: HeadSettings, rows: Sequence[int] | None
-) -> ResultsState:
+) -> HeadResult:
     """Calibrate a session, or some of its rows; its calibration is kept in its folder."""
     run = record.run()
     if rows is not None:
@@ -72,11 +86,12 @@ def of_session(
         write_calibration(state.calibration, record.folder / FILE)
     except StorageError as error:
         note = Note(Severity.WARNING, "not_kept", f"the calibration was not kept: {error}")
-        state = replace(state, notes=(*state.notes, note))
+        page = replace(state.page, parts=(note, *state.page.parts))
+        state = replace(state, page=page)
     return state
 
 
-def of_run(run: Run, source: str, settings: HeadSettings) -> ResultsState:
+def of_run(run: Run, source: str, settings: HeadSettings) -> HeadResult:
     """Calibrate a run with what is on the screen."""
     return _results(run, settings.conditions(), settings.base, source)
 
@@ -87,7 +102,7 @@ def of_file(
     device: str | None,
     mounts: Sequence[str] | None,
     calibration: Calibration | None,
-) -> ResultsState | TableState | Choice:
+) -> HeadResult | TableState | Choice:
     """Calibrate what a file holds; an accuracy check gives a table by the present calibration.
 
     Raises
@@ -115,7 +130,7 @@ def of_file(
     )
 
 
-def _results(run: Run, conditions: Conditions, base: BaseOrientation, source: str) -> ResultsState:
+def _results(run: Run, conditions: Conditions, base: BaseOrientation, source: str) -> HeadResult:
     calibration = calibrate(run, conditions, base)
     source_file, sha256 = run.meta.get("source"), run.meta.get("source_sha256")
     if not calibration.provenance.records and source_file and sha256:
@@ -123,23 +138,23 @@ def _results(run: Run, conditions: Conditions, base: BaseOrientation, source: st
             calibration,
             provenance=replace(calibration.provenance, records=((str(source_file), str(sha256)),)),
         )
-    tables = [derived_table(calibration), measured_table(calibration, run)]
-    check = attitude_table(calibration, run, base)
-    if check is not None:
-        tables.append(check)
     named = [
         Note(note.severity, note.subject, f"{name}: {note.text}")
         for name, fit in zip(calibration.channels, calibration.fits, strict=True)
         for note in fit.notes
     ]
-    return ResultsState(
-        title=f"{run.device}, {len(run)} positions",
-        source=source,
-        parameters=parameter_table(calibration),
-        matrices=matrices(calibration),
-        residuals=residuals(calibration, run),
-        tables=tuple(tables),
-        notes=(*calibration.notes, *named),
+    notes = (*calibration.notes, *named)
+    in_matrices = matrices(calibration)
+    parameters, plot = parameter_table(calibration), residuals(calibration, run)
+    parts: list[Part] = (
+        [*in_matrices, *notes, plot, parameters] if in_matrices else [parameters, *notes, plot]
+    )
+    parts += [derived_table(calibration), measured_table(calibration, run)]
+    check = attitude_table(calibration, run, base)
+    if check is not None:
+        parts.append(check)
+    return HeadResult(
+        page=ResultsPage(f"{run.device}, {len(run)} positions", source, tuple(parts)),
         mg_per_unit=_mg_per_unit(calibration),
         calibration=calibration,
         run=run,
@@ -181,3 +196,20 @@ def _role_of(channel: str) -> str:
     """``acc_x`` -> ``acc.x``; an assembly's ``acc_3`` -> ``adc.3``."""
     which = channel.rpartition("_")[2]
     return f"adc.{which}" if which.isdecimal() else f"acc.{which}"
+
+
+def mg_per_unit(k: FloatArray, roles: tuple[str, ...], g: float) -> dict[str, float]:
+    """Milli-g of one unit of output, by role.
+
+    Parameters
+    ----------
+    k : (c, 3) output per m/s^2 along each case axis; the steepest counts
+    roles : (c,) of the outputs
+    g : local gravity, m/s^2
+    """
+    sensitivity = np.linalg.norm(k, axis=1)
+    return {
+        role: 1.0 / (float(s) * g * MILLI)
+        for role, s in zip(roles, sensitivity, strict=True)
+        if s > 0
+    }

@@ -1,15 +1,13 @@
 """What the operator sets for a test on the dividing head."""
 
-import math
-from dataclasses import asdict, dataclass, field, fields, replace
+from dataclasses import dataclass, field, replace
 
-from core.plans.orientation import BaseOrientation
+from core.records.session.start import Scalars, SessionStart
 from core.samples.run import Conditions
+from gui.measuring.settings import MeasuringSettings, common_of, common_of_start, stated_or
 from gui.settings import Section, number_of, text_of
 
 TILTERS = ("None", "Auto", "Manual")
-CYCLE_C = (27.0, -10.0, -40.0, -10.0, 27.0, 50.0, 70.0, 50.0, 27.0)
-"""ClbAcc's list of temperatures: down and up again, so that hysteresis shows."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,80 +37,59 @@ class Tilter:
 
 
 @dataclass(frozen=True, slots=True)
-class HeadSettings:
+class HeadSettings(MeasuringSettings):
     """Settings of the test.
 
     Parameters
     ----------
-    plan_id : which plan
-    passes : how often every position is measured
-    accumulation_s, settle_s : seconds to accumulate; hands-free: to wait once at rest
-    g_mps2, u_g_mps2 : local gravity and its standard uncertainty
     head_u_arcsec : standard uncertainty of one setting of the dividing head
-    base : how the head's base plate stands
-    thermo : whether the temperatures of the cycle are gone through
-    cycle_c : temperatures in the order of the cycle
-    visit : place in the cycle
     tilter : the tilting fixture
-    hands_free : whether the program accumulates by itself
     """
 
     plan_id: str = "pointer_8"
-    passes: int = 1
-    accumulation_s: float = 10.0
-    settle_s: float = 3.0
-    g_mps2: float = 9.8106
-    u_g_mps2: float = 0.0005
     head_u_arcsec: float = 10.0
-    base: BaseOrientation = field(default_factory=BaseOrientation)
-    thermo: bool = False
-    cycle_c: tuple[float, ...] = CYCLE_C
-    visit: int = 0
     tilter: Tilter = field(default_factory=Tilter)
-    hands_free: bool = False
 
     def conditions(self) -> Conditions:
-        """What the laboratory states; nobody knows how a unit drifts between accumulations."""
-        return Conditions(
-            g_mps2=self.g_mps2,
-            u_g_mps2=self.u_g_mps2,
-            accumulation_s=self.accumulation_s,
-            head_u_arcsec=self.head_u_arcsec,
-            repeatability=math.nan,
-        )
+        """What the laboratory states."""
+        common = MeasuringSettings.conditions(self)
+        return replace(common, head_u_arcsec=self.head_u_arcsec)
 
-    def to_section(self) -> Section:
-        """The settings as plain values; the place in the cycle is not one that lasts."""
-        return asdict(replace(self, visit=0, hands_free=False))
+    def tilter_scalars(self) -> Scalars:
+        """What a session keeps of the tilting fixture."""
+        tilter = self.tilter
+        return {
+            "mode": tilter.mode,
+            "number": float(tilter.number),
+            "position": float(tilter.position),
+            "psi_deg": tilter.psi_deg,
+            "theta_deg": tilter.theta_deg,
+            "gamma_deg": tilter.gamma_deg,
+        }
 
 
 def settings_of(section: Section) -> HeadSettings:
     """The settings in a section; what is not there or impossible takes its default."""
     standard = HeadSettings()
-    base = section.get("base")
-    angles = base if isinstance(base, dict) else {}
     return HeadSettings(
-        plan_id=text_of(section, "plan_id", standard.plan_id),
-        passes=round(number_of(section, "passes", 1, 1, 9)),
-        accumulation_s=number_of(section, "accumulation_s", standard.accumulation_s, 0.1, 3600),
-        settle_s=number_of(section, "settle_s", standard.settle_s, 0, 600),
-        g_mps2=number_of(section, "g_mps2", standard.g_mps2, 9.7, 9.9),
-        u_g_mps2=number_of(section, "u_g_mps2", standard.u_g_mps2, 0, 0.1),
+        **common_of(section, standard),
         head_u_arcsec=number_of(section, "head_u_arcsec", standard.head_u_arcsec, 0, 3600),
-        base=BaseOrientation(
-            **{
-                name.name: number_of(angles, name.name, 0.0, -360, 360)
-                for name in fields(BaseOrientation)
-            }
-        ),
-        thermo=section.get("thermo") is True,
-        cycle_c=_temperatures(section.get("cycle_c")),
     )
 
 
-def _temperatures(value: object) -> tuple[float, ...]:
-    if not isinstance(value, list) or not value:
-        return CYCLE_C
-    if any(isinstance(t, bool) or not isinstance(t, int | float) for t in value):
-        return CYCLE_C
-    return tuple(float(t) for t in value)
+def settings_of_session(start: SessionStart, screen: HeadSettings) -> HeadSettings:
+    """The settings that a session was begun with; what it does not state stays as it is."""
+    tilter = start.tilter
+    mode = text_of(tilter, "mode", "None")
+    return HeadSettings(
+        **common_of_start(start, screen),
+        head_u_arcsec=stated_or(start.conditions.head_u_arcsec, screen.head_u_arcsec),
+        tilter=Tilter(
+            mode if mode in TILTERS else "None",
+            round(number_of(tilter, "number", 1, 1, 99)),
+            round(number_of(tilter, "position", 1, 1, 99)),
+            number_of(tilter, "psi_deg", 0, -360, 360),
+            number_of(tilter, "theta_deg", 0, -360, 360),
+            number_of(tilter, "gamma_deg", 0, -360, 360),
+        ),
+    )

@@ -15,7 +15,7 @@ from core.procedures.attitude import attitude
 from core.procedures.calibration import Calibration
 from core.samples.run import Run
 from core.units import DEG_PER_RAD, MILLI
-from gui.dividing_head.measure import angle_words, mount_words
+from gui.measuring.head_words import angle_words, mount_words
 from gui.widgets.number_text import fixed, value_and_uncertainty
 from gui.widgets.states import MatrixState, ResidualSeries, ResidualState, TableState
 

@@ -7,9 +7,10 @@ from pytestqt.qtbot import QtBot
 
 from core.records.calibration_json import read_calibration
 from core.records.open import read_any
-from gui.dividing_head.exporting import Exporting
+from gui.dividing_head.formats import formats
 from gui.dividing_head.nominal import nominal_of
-from tests.gui.dividing_head.conftest import Desk
+from gui.measuring.exporting import Exporting
+from tests.gui.head_desk import Desk
 
 
 @pytest.fixture
@@ -23,7 +24,14 @@ def processed(desk: Desk, qtbot: QtBot) -> Desk:
 
 @pytest.fixture
 def exporting(processed: Desk, tmp_path: Path) -> Exporting:
-    return Exporting(processed.results, lambda: tmp_path, processed.jobs, processed.messages)
+    return Exporting(
+        "head",
+        formats(),
+        lambda: processed.results.state,
+        lambda: tmp_path,
+        processed.jobs,
+        processed.messages,
+    )
 
 
 def test_every_format_is_proposed_a_name_and_written(

@@ -7,11 +7,10 @@ import numpy as np
 
 from core.plans.orientation import BaseOrientation
 from core.records.session.find import unfinished
-from gui.dividing_head.resuming import settings_of_session
-from gui.dividing_head.settings import HeadSettings, Tilter, settings_of
+from gui.dividing_head.settings import HeadSettings, Tilter, settings_of, settings_of_session
 from gui.settings import Settings
 from gui.widgets.states import StepMark
-from tests.gui.dividing_head.conftest import Desk
+from tests.gui.head_desk import Desk
 
 
 def enabled(desk: Desk) -> set[str]:
@@ -157,12 +156,12 @@ def test_the_live_table_is_in_mg_once_the_scale_is_known(desk: Desk):
     before = desk.presenter.live()
     assert before.std_unit == "code"
     assert [row.name for row in before.rows] == ["X", "Y", "Z"]
-    assert before.has_rates
-    assert all(row.acc_mean and row.acc_temp and row.rate_mean for row in before.rows)
-    desk.results.mg_per_unit = {f"acc.{axis}": 1.0 / 13.1 for axis in "xyz"}
+    assert before.has_others
+    assert all(row.mean and row.temp and row.other_mean for row in before.rows)
+    desk.results.live_scale = {f"acc.{axis}": 1.0 / 13.1 for axis in "xyz"}
     after = desk.presenter.live()
     assert after.std_unit == "mg"
-    ratio = float(before.rows[0].acc_std) / float(after.rows[0].acc_std)
+    ratio = float(before.rows[0].std) / float(after.rows[0].std)
     assert np.isclose(ratio, 13.1, rtol=0.05)
 
 

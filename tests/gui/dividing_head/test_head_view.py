@@ -8,16 +8,20 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDoubleSpinBox
 from pytestqt.qtbot import QtBot
 
-from gui.dividing_head.live_view import LiveTable
-from gui.dividing_head.state import LiveRow, LiveState
-from gui.dividing_head.view import HeadView
-from tests.gui.dividing_head.conftest import Desk
+from gui.dividing_head.settings import HeadSettings
+from gui.dividing_head.settings_view import HeadForm
+from gui.measuring.live_view import LiveTable
+from gui.measuring.state import LiveRow, LiveState
+from gui.measuring.view import MeasuringView
+from tests.gui.head_desk import Desk
 
 
 @pytest.fixture
-def view_of(qtbot: QtBot) -> Callable[[Desk], HeadView]:
-    def make(desk: Desk) -> HeadView:
-        view = HeadView(desk.presenter)
+def view_of(qtbot: QtBot) -> Callable[[Desk], MeasuringView]:
+    def make(desk: Desk) -> MeasuringView:
+        form = HeadForm(HeadSettings())
+        form.angle_added.connect(desk.presenter.add_angle)
+        view = MeasuringView(desk.presenter, form)
         view.resize(1280, 700)
         qtbot.addWidget(view)
         view.show()
@@ -27,12 +31,12 @@ def view_of(qtbot: QtBot) -> Callable[[Desk], HeadView]:
     return make
 
 
-def labels(view: HeadView) -> set[str]:
+def labels(view: MeasuringView) -> set[str]:
     """Words of the settings that are shown."""
     return {label.text() for label, _ in view.settings._captions if label.isVisibleTo(view)}
 
 
-def test_the_pointer_layout_has_its_words(desk: Desk, view_of: Callable[[Desk], HeadView]):
+def test_the_pointer_layout_has_its_words(desk: Desk, view_of: Callable[[Desk], MeasuringView]):
     view = view_of(desk)
     assert {"Accumulation Time, sec", "Base orientation", "Tilter", "Free angle"} <= labels(view)
     assert view.settings._thermo.text() == "Termo calibration"
@@ -43,7 +47,7 @@ def test_the_pointer_layout_has_its_words(desk: Desk, view_of: Callable[[Desk], 
 
 
 def test_the_clbacc_layout_has_temperatures_and_no_tilter(
-    make_desk: Callable[..., Desk], view_of: Callable[[Desk], HeadView]
+    make_desk: Callable[..., Desk], view_of: Callable[[Desk], MeasuringView]
 ):
     view = view_of(make_desk("adc_board9", "accelerometer_8"))
     assert "Temperatures, °C" in labels(view)
@@ -60,7 +64,7 @@ def test_the_clbacc_layout_has_temperatures_and_no_tilter(
 
 
 def test_every_field_reaches_the_settings(
-    desk: Desk, view_of: Callable[[Desk], HeadView], qtbot: QtBot
+    desk: Desk, view_of: Callable[[Desk], MeasuringView], qtbot: QtBot
 ):
     view = view_of(desk)
     fields = view.settings
@@ -86,7 +90,7 @@ def test_every_field_reaches_the_settings(
 
 
 def test_the_thermal_cycle_can_be_edited(
-    desk: Desk, view_of: Callable[[Desk], HeadView], qtbot: QtBot
+    desk: Desk, view_of: Callable[[Desk], MeasuringView], qtbot: QtBot
 ):
     view = view_of(desk)
     fields = view.settings
@@ -103,7 +107,7 @@ def test_the_thermal_cycle_can_be_edited(
 
 
 def test_what_belongs_to_the_session_is_locked_with_a_reason(
-    desk: Desk, view_of: Callable[[Desk], HeadView]
+    desk: Desk, view_of: Callable[[Desk], MeasuringView]
 ):
     view = view_of(desk)
     assert view._plan.isEnabled()
@@ -116,7 +120,7 @@ def test_what_belongs_to_the_session_is_locked_with_a_reason(
     assert view._plan.isEnabled()
 
 
-def test_a_plan_and_a_free_angle_are_chosen(desk: Desk, view_of: Callable[[Desk], HeadView]):
+def test_a_plan_and_a_free_angle_are_chosen(desk: Desk, view_of: Callable[[Desk], MeasuringView]):
     view = view_of(desk)
     place = view._plan.findData("pointer_16")
     view._plan.setCurrentIndex(place)
@@ -129,7 +133,7 @@ def test_a_plan_and_a_free_angle_are_chosen(desk: Desk, view_of: Callable[[Desk]
 
 
 def test_the_session_name_is_edited_before_it_begins(
-    desk: Desk, view_of: Callable[[Desk], HeadView], qtbot: QtBot
+    desk: Desk, view_of: Callable[[Desk], MeasuringView], qtbot: QtBot
 ):
     view = view_of(desk)
     view._session.selectAll()
@@ -141,14 +145,14 @@ def test_the_session_name_is_edited_before_it_begins(
 
 
 def test_results_stand_beside_or_below_the_stage_and_never_over_it(
-    desk: Desk, view_of: Callable[[Desk], HeadView], qtbot: QtBot
+    desk: Desk, view_of: Callable[[Desk], MeasuringView], qtbot: QtBot
 ):
     view = view_of(desk)
     for _ in range(8):
         desk.measure()
     desk.presenter.act("process")
     qtbot.waitUntil(lambda: desk.results.state is not None, timeout=10_000)
-    view.results.render(desk.results.state)
+    view.results.render(desk.results.page)
     for width, beside in ((1700, True), (1000, False)):
         view.resize(width, 900)
         qtbot.wait(50)
@@ -169,18 +173,18 @@ def test_the_live_table_shows_what_is_there(qtbot: QtBot):
     table.resize(700, 200)
     table.show()
     row = LiveRow("X", "1.0", "0.5", "7963", "−517.0", "25365")
-    table.render(LiveState((row,), "code", "mg", has_rates=True))
+    table.render(LiveState((row,), std_unit="mg", has_others=True))
     texts = [table.horizontalHeaderItem(i).text() for i in range(table.columnCount())]
     assert texts[1] == "\nSTD (mg)"
     assert [table.item(0, i).text() for i in range(5)] == ["1.0", "0.5", "7963", "−517.0", "25365"]
-    table.render(LiveState((replace(row, rate_mean="", rate_temp=""),), "code", "code"))
+    table.render(LiveState((replace(row, other_mean="", other_temp=""),)))
     assert table.columnCount() == 3
     table.render(LiveState())
     assert not table.isVisible()
 
 
 def test_fields_do_not_change_under_the_wheel_of_a_scroll(
-    desk: Desk, view_of: Callable[[Desk], HeadView]
+    desk: Desk, view_of: Callable[[Desk], MeasuringView]
 ):
     view = view_of(desk)
     fields = view.settings.findChildren(QDoubleSpinBox)

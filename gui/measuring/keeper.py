@@ -15,7 +15,7 @@ from core.records.session.store import Session
 from core.samples.accumulate import Accumulation
 from core.samples.block import Channel
 from drivers.profile import Profile
-from gui.dividing_head.settings import HeadSettings
+from gui.measuring.settings import MeasuringSettings
 
 
 @dataclass(frozen=True, slots=True)
@@ -137,15 +137,15 @@ class Keeper:
 
 def start_document(
     device: str,
+    sensor: str,
     channels: tuple[Channel, ...],
     rate: float,
     plan: Plan,
-    settings: HeadSettings,
+    settings: MeasuringSettings,
     profile: Profile,
     layout: str,
 ) -> SessionStart:
     """What is known before the first position."""
-    tilter = settings.tilter
     measured = replace(
         plan,
         accumulation_s=settings.accumulation_s,
@@ -155,7 +155,7 @@ def start_document(
     legacy = legacy_for(layout, plan.test, plan)
     return SessionStart(
         device=device,
-        sensor="accelerometer",
+        sensor=sensor,
         channels=channels,
         rate=rate,
         plan=measured,
@@ -164,19 +164,8 @@ def start_document(
         profile_text=profile.text,
         conditions=settings.conditions(),
         base=settings.base,
-        tilter={
-            "mode": tilter.mode,
-            "number": float(tilter.number),
-            "position": float(tilter.position),
-            "psi_deg": tilter.psi_deg,
-            "theta_deg": tilter.theta_deg,
-            "gamma_deg": tilter.gamma_deg,
-        },
-        settings={
-            "passes": float(settings.passes),
-            "settle_s": settings.settle_s,
-            "thermo": settings.thermo,
-        },
+        tilter=settings.tilter_scalars(),
+        settings=settings.extra(),
         legacy="" if legacy is None else legacy.id,
     )
 

@@ -1,5 +1,6 @@
-"""The device on the head, as this tab sees it: is it there, what does it send."""
+"""The device on the rig, as a tab sees it: is it there, what does it send."""
 
+from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
@@ -8,8 +9,8 @@ from core.samples.block import Channel, SampleBlock
 from drivers.profile import Profile
 from gui.devices.connection import Connection
 from gui.devices.link import Link
-from gui.dividing_head.device import HeadDevice, head_device
-from gui.dividing_head.live import LiveMeans
+from gui.measuring.device import MeasuredDevice
+from gui.measuring.live import LiveMeans
 
 
 class Bench(QObject):
@@ -18,6 +19,8 @@ class Bench(QObject):
     Parameters
     ----------
     connection : whose samples are measured
+    device_of : how a device is measured in the tab; None if it cannot be
+    missing : headline and sentence for a device, by its name, that cannot be measured
     """
 
     changed = Signal()
@@ -27,10 +30,18 @@ class Bench(QObject):
     block = Signal(object)
     """`SampleBlock` of `device`."""
 
-    def __init__(self, connection: Connection, parent: QObject | None = None) -> None:
+    def __init__(
+        self,
+        connection: Connection,
+        device_of: Callable[[Profile, tuple[Channel, ...]], MeasuredDevice | None],
+        missing: Callable[[str], tuple[str, str]],
+        parent: QObject | None = None,
+    ) -> None:
         super().__init__(parent)
         self._connection = connection
-        self.device: HeadDevice | None = None
+        self._device_of = device_of
+        self._missing = missing
+        self.device: MeasuredDevice | None = None
         self.channels: tuple[Channel, ...] = ()
         self.rate = 0.0
         self.linked = False
@@ -80,10 +91,7 @@ class Bench(QObject):
             return "Waiting for samples", "The port is open. The first frame has not come yet."
         if self.rate <= 0:
             return "Listening", "The sample rate is being measured."
-        return (
-            "No accelerometers",
-            f"{self.name} sends none, so that it cannot be measured here. Choose another device.",
-        )
+        return self._missing(self.name)
 
     def catch_up(self) -> None:
         """Take everything that has come: what was measured before an order is not its answer."""
@@ -112,7 +120,7 @@ class Bench(QObject):
         rate = block.rate or link.rate_hz
         if block.channels != self.channels or (self.rate <= 0 < rate):
             self.channels, self.rate = block.channels, rate
-            self.device = head_device(link.profile, block.channels) if rate > 0 else None
+            self.device = self._device_of(link.profile, block.channels) if rate > 0 else None
             self.live = None if self.device is None else LiveMeans(self.device, rate)
             self.linked = True
             self.changed.emit()

@@ -1,6 +1,7 @@
 """What becomes of an accumulation: taken, doubted, repeated, discarded, taken back."""
 
 from dataclasses import replace
+from typing import Any
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
@@ -8,8 +9,8 @@ from core.errors import Note, Severity
 from core.plans.plan import Step
 from core.procedures.measuring import Outcome, Phase
 from core.records.session.events import Position, RawRange
-from gui.dividing_head.bench import Bench
-from gui.dividing_head.cues import (
+from gui.measuring.bench import Bench
+from gui.measuring.cues import (
     ACCEPT_AS,
     MEASURE,
     NEXT,
@@ -19,13 +20,11 @@ from gui.dividing_head.cues import (
     elsewhere_banner,
     next_temperature_banner,
 )
-from gui.dividing_head.measure import label_of
-from gui.dividing_head.sitting import Sitting
+from gui.measuring.sitting import Sitting
+from gui.measuring.words import Words
 from gui.messages import Messages
 from gui.widgets.states import BannerAction, BannerState
 
-SOURCE = "position"
-_NOT_STORED = "not stored"
 STORE = BannerAction("store", "Store again")
 _FLASH_MS = 1500
 
@@ -45,12 +44,14 @@ class Taking(QObject):
     """``"start"``, ``"done"`` or ``"error"``: what the loudspeaker says."""
 
     def __init__(
-        self, sitting: Sitting, bench: Bench, messages: Messages, parent: QObject | None = None
+        self, sitting: Sitting[Any], bench: Bench, messages: Messages, parent: QObject | None = None
     ) -> None:
         super().__init__(parent)
         self._sitting = sitting
         self._bench = bench
         self._messages = messages
+        self._source = f"{sitting.guide.key} position"
+        self._not_stored = f"{sitting.guide.key} not stored"
         self.pending: Outcome | None = None
         """An accumulation that was not taken, while the operator decides."""
         self.just_done: Position | None = None
@@ -111,7 +112,7 @@ class Taking(QObject):
         picked = [p for p in sitting.positions_here if p.step.number == self.chosen]
         target = picked[-1] if picked else sitting.keeper.last
         if target is not None and sitting.stored(lambda: sitting.keeper.discard(target)):
-            self._messages.log(Severity.INFO, f"{label_of(target.step)} discarded", SOURCE)
+            self._messages.log(Severity.INFO, f"{self._label(target.step)} discarded", self._source)
             sitting.rebegin(target.step.number)
 
     def undo(self) -> None:
@@ -121,14 +122,16 @@ class Taking(QObject):
             acts: list[Position] = []
             if sitting.stored(lambda: acts.append(sitting.keeper.undo())):
                 self.drop()
-                self._messages.log(Severity.INFO, f"{label_of(acts[0].step)} taken back", SOURCE)
+                self._messages.log(
+                    Severity.INFO, f"{self._label(acts[0].step)} taken back", self._source
+                )
                 sitting.rebegin(acts[0].step.number)
 
     def drop(self) -> None:
         """Nothing is doubted any more."""
         self.pending = None
-        self._messages.clear(SOURCE)
-        self._messages.clear(_NOT_STORED)
+        self._messages.clear(self._source)
+        self._messages.clear(self._not_stored)
 
     # --- what the walk brings ---------------------------------------------------------------------
 
@@ -139,8 +142,8 @@ class Taking(QObject):
         before, self._was = self._was[0], (status.phase, status.candidates)
         if status.phase is Phase.WRONG:
             if self.pending is None and status.text and status.step is not None:
-                banner = elsewhere_banner(status.text, status.candidates, status.step)
-                self._messages.show(SOURCE, banner)
+                banner = elsewhere_banner(status.text, status.candidates, status.step, self._words)
+                self._messages.show(self._source, banner)
                 if before is not Phase.WRONG:
                     self.cue.emit("error")
         elif status.phase is Phase.MEASURING:
@@ -148,15 +151,17 @@ class Taking(QObject):
             self._raw_first = self._bench.raw_size
             self.cue.emit("start")
         elif status.phase in (Phase.MOVING, Phase.SETTLING) and self.pending is None:
-            self._messages.clear(SOURCE)
+            self._messages.clear(self._source)
 
     def _on_outcome(self, outcome: Outcome) -> None:
+        sitting = self._sitting
+        outcome = sitting.guide.reviewed(outcome, sitting.settings)
         self.pending = outcome
         if outcome.acceptable:
             self._take(outcome)
             return
-        self._sitting.walk.reject(outcome)
-        self._messages.show(SOURCE, doubt_banner(outcome, self._sitting.plan.steps))
+        sitting.walk.reject(outcome)
+        self._messages.show(self._source, doubt_banner(outcome, sitting.plan.steps, self._words))
         self.cue.emit("error")
         self.changed.emit()
 
@@ -199,10 +204,10 @@ class Taking(QObject):
         self.pending = outcome
         self._sitting.walk.reject(outcome)
         self._messages.show(
-            _NOT_STORED,
+            self._not_stored,
             BannerState(
                 Severity.ERROR,
-                f"{label_of(outcome.step)} is measured, but not on the disk".capitalize(),
+                f"{self._label(outcome.step)} is measured, but not on the disk".capitalize(),
                 "It is held in memory until it is stored or measured again.",
                 "Make room on the disk, then store it again.",
                 (STORE, REPEAT),
@@ -217,12 +222,12 @@ class Taking(QObject):
         after = settings.visit + 1
         if settings.thermo and after < len(settings.cycle_c):
             banner = next_temperature_banner(
-                self._sitting.set_temperature_c, settings.cycle_c[after]
+                self._sitting.set_temperature_c, settings.cycle_c[after], self._words.nouns
             )
-            self._messages.show(SOURCE, banner)
+            self._messages.show(self._source, banner)
 
     def _on_action(self, source: str, key: str) -> None:
-        if source not in (SOURCE, _NOT_STORED):
+        if source not in (self._source, self._not_stored):
             return
         if key == NEXT.key:
             self._next_temperature()
@@ -241,7 +246,7 @@ class Taking(QObject):
             self._take(_noted(outcome, outcome.step, "taken by the operator"))
         elif key.startswith(ACCEPT_AS):
             step = self._sitting.plan.step(int(key.removeprefix(ACCEPT_AS)))
-            words = f"accumulated for {label_of(outcome.step)}, recorded as {label_of(step)}"
+            words = f"accumulated for {self._label(outcome.step)}, recorded as {self._label(step)}"
             self._take(_noted(outcome, step, words))
 
     def _next_temperature(self) -> None:
@@ -249,6 +254,13 @@ class Taking(QObject):
         settings = self._sitting.settings
         self._sitting.settings = replace(settings, visit=settings.visit + 1)
         self._sitting.rebegin()
+
+    @property
+    def _words(self) -> Words:
+        return self._sitting.guide.words(self._sitting.plan)
+
+    def _label(self, step: Step) -> str:
+        return self._words.label(step)
 
     def _end_flash(self) -> None:
         self.just_done = None

@@ -6,42 +6,43 @@ from dataclasses import dataclass
 from PySide6.QtCore import QObject, Signal
 
 from core.arrays import FloatArray
-from core.plans.orientation import tilter_rotation
 from core.plans.plan import Step
 from core.procedures.measuring import Measuring, Outcome, Phase, Status, means_of
-from core.procedures.recognise import Expectation, Nominal
+from core.procedures.recognise import Expectation
 from core.records.session.events import Position
 from core.samples.block import SampleBlock
-from gui.dividing_head.device import HeadDevice
-from gui.dividing_head.settings import HeadSettings
 
 _STEP_S = 0.1
 """The screen follows the seconds that remain in steps of this."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Course:
-    """What a walk is made of.
+    """What a walk is made of; the tab's guide makes it.
 
     Parameters
     ----------
     steps : of the plan
-    device : whose accelerometers are checked
-    settings : times, g, base, tilter
+    input_of : true input (3,) of a step for the sensors that a step is recognised by
+    label_of : how the operator calls a step in a sentence
+    expectation : what these sensors should give
+    checked : start of their roles
+    accumulation_s, settle_s : seconds to accumulate; hands-free: to wait once at rest
     rate : samples per second
-    nominal : what is known of the sensors from before, None if nothing is
+    hands_free : whether the program accumulates by itself
+    must_move : hands-free, while nothing is known yet: wait until the rig has moved
     """
 
     steps: tuple[Step, ...]
-    device: HeadDevice
-    settings: HeadSettings
+    input_of: Callable[[Step], FloatArray]
+    label_of: Callable[[Step], str]
+    expectation: Expectation
+    checked: str
+    accumulation_s: float
+    settle_s: float
     rate: float
-    nominal: Nominal | None = None
-
-    def input_of(self, step: Step) -> FloatArray:
-        """Specific force (3,) on the case axes in a step, m/s^2."""
-        force = step.specific_force(self.settings.g_mps2, self.settings.base)
-        return tilter_rotation(*self.settings.tilter.angles_deg) @ force
+    hands_free: bool = False
+    must_move: bool = False
 
 
 class Walk(QObject):
@@ -73,19 +74,18 @@ class Walk(QObject):
         done : accepted positions of this pass
         current : number of the step to stand at; None for the first that is to be done
         """
-        settings, checked = course.settings, course.device.checked
-        expectation = Expectation(settings.g_mps2, course.device.axes, course.nominal)
+        checked, expectation = course.checked, course.expectation
         for position in before:
             means = means_of(position.accumulation, checked)
             expectation.learn(course.input_of(position.step), means)
         measuring = Measuring(
             course.steps,
             course.input_of,
-            label_of,
+            course.label_of,
             expectation,
             checked,
-            accumulation_s=settings.accumulation_s,
-            settle_s=settings.settle_s,
+            accumulation_s=course.accumulation_s,
+            settle_s=course.settle_s,
             rate=course.rate,
         )
         for position in done:
@@ -96,7 +96,9 @@ class Walk(QObject):
             measuring.choose(current)
         elif to_do:
             measuring.choose(to_do[0])
-        measuring.set_hands_free(settings.hands_free)
+        if course.must_move and not before and not done:
+            measuring.wait_for_motion()
+        measuring.set_hands_free(course.hands_free)
         self._measuring = measuring
         self._tell()
 
@@ -169,20 +171,3 @@ class Walk(QObject):
         if seen != self._seen:
             self._seen = seen
             self.moved.emit()
-
-
-def label_of(step: Step) -> str:
-    """How the operator calls a step in a sentence."""
-    return f"position {step.number} ({mount_words(step.mount)}, {angle_words(step.head_deg)})"
-
-
-def mount_words(mount: str) -> str:
-    """``X_from@90`` as the old screens say it: "X from ODH, re-indexed by 90°"."""
-    place, _, reindex = mount.partition("@")
-    words = f"{place.replace('_', ' ')} ODH"
-    return f"{words}, re-indexed by {reindex}°" if reindex else words
-
-
-def angle_words(angle_deg: float) -> str:
-    """An angle of the head."""
-    return f"{angle_deg:g}°".replace("-", "\N{MINUS SIGN}")

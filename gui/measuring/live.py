@@ -2,14 +2,13 @@
 
 from collections import deque
 from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 
-from core.arrays import FloatArray
 from core.samples.block import SampleBlock
-from core.units import MILLI
-from gui.dividing_head.device import HeadDevice
-from gui.dividing_head.state import LiveRow, LiveState
+from gui.measuring.device import MeasuredDevice
+from gui.measuring.state import LiveRow, LiveState
 from gui.widgets.number_text import fixed
 
 _WINDOW_S = 1.0
@@ -24,7 +23,7 @@ class LiveMeans:
     rate : samples per second
     """
 
-    def __init__(self, device: HeadDevice, rate: float) -> None:
+    def __init__(self, device: MeasuredDevice, rate: float) -> None:
         self._device = device
         self._wanted = max(2, round(rate * _WINDOW_S))
         self._blocks: deque[SampleBlock] = deque()
@@ -44,60 +43,46 @@ class LiveMeans:
         self._blocks.clear()
         self._count = 0
 
-    def state(self, mg_per_unit: Mapping[str, float]) -> LiveState:
+    def state(self, std_scale: Mapping[str, float], std_unit: str) -> LiveState:
         """The table now.
 
         Parameters
         ----------
-        mg_per_unit : milli-g of one unit of output, by role, as far as it is known
+        std_scale : `std_unit` of one unit of output, by role, as far as it is known
+        std_unit : in which standard deviations are told where it is known for all sensors
         """
         device = self._device
+        shape = LiveState(
+            tuple(LiveRow(row.name) for row in device.rows),
+            device.sensor,
+            device.unit,
+            device.unit,
+            device.has_others,
+        )
         if self._count < 2:
-            return LiveState(
-                tuple(LiveRow(row.name) for row in device.rows),
-                device.unit,
-                device.unit,
-                device.has_rates,
-            )
+            return shape
         data = np.concatenate([block.data for block in self._blocks])[-self._wanted :]
         roles = [channel.role for channel in self._blocks[-1].channels]
         mean = dict(zip(roles, data.mean(axis=0), strict=True))
         std = dict(zip(roles, data.std(axis=0, ddof=1), strict=True))
-        in_mg = all(row.acc in mg_per_unit for row in device.rows)
+        scaled = all(row.main in std_scale for row in device.rows)
         rows = tuple(
             LiveRow(
                 name=row.name,
-                acc_mean=_text(mean, row.acc, 1),
-                acc_std=_text(
-                    {row.acc: std[row.acc] * (mg_per_unit[row.acc] if in_mg else 1.0)},
-                    row.acc,
-                    3 if in_mg else 2,
+                mean=_text(mean, row.main, 1),
+                std=_text(
+                    {row.main: std[row.main] * (std_scale[row.main] if scaled else 1.0)},
+                    row.main,
+                    3 if scaled else 2,
                 ),
-                acc_temp=_text(mean, row.acc_temp, 0),
-                rate_mean=_text(mean, row.rate, 1),
-                rate_temp=_text(mean, row.rate_temp, 0),
+                temp=_text(mean, row.main_temp, 0),
+                other_mean=_text(mean, row.other, 1),
+                other_temp=_text(mean, row.other_temp, 0),
             )
             for row in device.rows
         )
-        return LiveState(rows, device.unit, "mg" if in_mg else device.unit, device.has_rates)
+        return replace(shape, rows=rows, std_unit=std_unit if scaled else device.unit)
 
 
 def _text(values: Mapping[str, float], role: str, decimals: int) -> str:
     return fixed(float(values[role]), decimals) if role in values else ""
-
-
-def mg_per_unit(k: FloatArray, roles: tuple[str, ...], g: float) -> dict[str, float]:
-    """Milli-g of one unit of output, by role.
-
-    Parameters
-    ----------
-    k : (c, 3) output per m/s^2 along each case axis; the steepest counts
-    roles : (c,) of the outputs
-    g : local gravity, m/s^2
-    """
-    sensitivity = np.linalg.norm(k, axis=1)
-    return {
-        role: 1.0 / (float(s) * g * MILLI)
-        for role, s in zip(roles, sensitivity, strict=True)
-        if s > 0
-    }

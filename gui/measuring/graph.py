@@ -1,10 +1,10 @@
-"""Main Graph: the accelerometers over time, with the accumulations marked."""
+"""Main Graph: the measured sensors over time, with the accumulations marked."""
 
 from PySide6.QtCore import QObject, QTimer
 
 from core.samples.block import SampleBlock, chosen_columns
-from gui.dividing_head.bench import Bench
-from gui.dividing_head.sitting import Sitting
+from gui.measuring.bench import Bench
+from gui.measuring.sitting import Sitting
 from gui.widgets.history import History
 from gui.widgets.strip_charts import StripCharts
 from gui.widgets.strip_view import Interval
@@ -59,7 +59,7 @@ class MainGraph(QObject):
             self._fresh = True
 
     def _refresh(self) -> None:
-        if self._fresh:
+        if self._fresh and self._charts.isVisible():
             self._fresh = False
             self._charts.refresh()
 

@@ -1,5 +1,8 @@
 """The results page beside the stage: tables with their equations, residuals, doubts, export."""
 
+from collections.abc import Callable
+from typing import Any
+
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtWidgets import (
     QFrame,
@@ -13,17 +16,18 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from gui.dividing_head.processing import ResultsState
+from core.errors import Note
+from gui.measuring.page import CurveState, ResultsPage
 from gui.widgets.fields import ChoiceField
 from gui.widgets.matrix_view import MatrixView
 from gui.widgets.note_line import NoteLine
 from gui.widgets.residual_plot import ResidualPlot
 from gui.widgets.result_table import ResultTable
-from gui.widgets.states import MatrixState, TableState
+from gui.widgets.states import MatrixState, ResidualState, TableState
 
 
 class ResultsView(QWidget):
-    """Shows a `ResultsState`."""
+    """Shows a `ResultsPage`."""
 
     closed = Signal()
     export_requested = Signal(str, str)
@@ -32,7 +36,7 @@ class ResultsView(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._state: ResultsState | None = None
+        self._state: ResultsPage | None = None
         unit = self.fontMetrics().height()
         self._title, self._source = QLabel(), QLabel()
         font = self._title.font()
@@ -73,7 +77,7 @@ class ResultsView(QWidget):
         column.addLayout(foot)
         self._retranslate()
 
-    def render(self, state: ResultsState | None) -> None:
+    def render(self, state: ResultsPage | None) -> None:
         """Show a state."""
         if state is self._state or state is None:
             self._state = state
@@ -85,41 +89,9 @@ class ResultsView(QWidget):
             if (old := item.widget()) is not None:
                 old.hide()
                 old.deleteLater()
-        for matrices in state.matrices:
-            self._add_matrices(matrices)
-        if not state.matrices:
-            self._add_table(state.parameters)
-        for note in state.notes:
-            self._column.addWidget(NoteLine(note))
-        self._column.addWidget(self._plot(state))
-        if state.matrices:
-            self._add_table(state.parameters)
-        for table in state.tables:
-            self._add_table(table)
+        for part in state.parts:
+            self._column.addWidget(_VIEWS[type(part)](part, self.fontMetrics().height()))
         self._column.addStretch(1)
-
-    def _add_table(self, table: TableState) -> None:
-        view = ResultTable()
-        view.render(table)
-        self._column.addWidget(view)
-
-    def _add_matrices(self, matrices: tuple[MatrixState, ...]) -> None:
-        """Matrices of one equation stand in one row."""
-        line = QWidget()
-        row = QHBoxLayout(line)
-        row.setContentsMargins(0, 0, 0, 0)
-        for matrix in matrices:
-            view = MatrixView()
-            view.render(matrix)
-            row.addWidget(view)
-        row.addStretch(1)
-        self._column.addWidget(line)
-
-    def _plot(self, state: ResultsState) -> QWidget:
-        plot = ResidualPlot()
-        plot.render(state.residuals)
-        plot.setMinimumHeight(14 * self.fontMetrics().height())
-        return plot
 
     def set_formats(self, formats: tuple[tuple[str, str], ...]) -> None:
         """Offer these formats: keys and titles."""
@@ -150,3 +122,52 @@ class ResultsView(QWidget):
         self._formats.setAccessibleName(self.tr("Export format"))
         self._name.setAccessibleName(self.tr("File of the export"))
         self._export.setText(self.tr("Export"))
+
+
+def _table(table: TableState, unit: int) -> QWidget:  # noqa: ARG001
+    view = ResultTable()
+    view.render(table)
+    return view
+
+
+def _matrices(matrices: tuple[MatrixState, ...], unit: int) -> QWidget:  # noqa: ARG001
+    """Matrices of one equation stand in one row."""
+    line = QWidget()
+    row = QHBoxLayout(line)
+    row.setContentsMargins(0, 0, 0, 0)
+    for matrix in matrices:
+        view = MatrixView()
+        view.render(matrix)
+        row.addWidget(view)
+    row.addStretch(1)
+    return line
+
+
+def _residuals(state: ResidualState, unit: int) -> QWidget:
+    plot = ResidualPlot()
+    plot.render(state)
+    plot.setMinimumHeight(14 * unit)
+    return plot
+
+
+def _curve(state: CurveState, unit: int) -> QWidget:
+    # pyqtgraph is slow to import, and the page is not there when the window starts.
+    from gui.measuring.curve_view import CurveView
+
+    view = CurveView(state)
+    view.setMinimumHeight(16 * unit)
+    return view
+
+
+def _note(note: Note, unit: int) -> QWidget:  # noqa: ARG001
+    return NoteLine(note)
+
+
+_VIEWS: dict[type, Callable[[Any, int], QWidget]] = {
+    TableState: _table,
+    tuple: _matrices,
+    ResidualState: _residuals,
+    CurveState: _curve,
+    Note: _note,
+}
+"""How each kind of part is shown; the height of a line of text goes with it."""

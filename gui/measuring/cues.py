@@ -6,8 +6,8 @@ from core.errors import Severity
 from core.plans.plan import Step
 from core.procedures.measuring import Outcome, Phase, Status
 from core.records.session.events import Position
-from gui.dividing_head.measure import angle_words, label_of, mount_words
-from gui.dividing_head.settings import HeadSettings
+from gui.measuring.settings import MeasuringSettings
+from gui.measuring.words import Words
 from gui.widgets.number_text import fixed
 from gui.widgets.states import (
     BannerAction,
@@ -34,6 +34,7 @@ class Scene:
 
     Parameters
     ----------
+    words : how the steps are called
     status : where the walk stands; None without a device that can be measured
     steps : of the plan
     settings : of the test
@@ -47,9 +48,10 @@ class Scene:
     processed : whether the results are on the screen
     """
 
+    words: Words
     status: Status | None
     steps: tuple[Step, ...]
-    settings: HeadSettings
+    settings: MeasuringSettings
     linked: bool
     why_not: tuple[str, str]
     just_done: Position | None
@@ -70,12 +72,12 @@ def stage_of(scene: Scene) -> StageState:
             "Link lost",
             "Everything accepted so far is on the disk. Measuring goes on when the device is back.",
             Tone.BAD,
-            pose=None if status.step is None else pose_of(status.step, scene.settings),
+            pose=None if status.step is None else _pose(status.step, scene),
         )
     if status.step is None:
         return StageState(
-            "All positions done",
-            f"{scene.done_before} positions are on the disk."
+            scene.words.all_done(),
+            f"{scene.done_before} {scene.words.nouns} are on the disk."
             + ("" if scene.processed else " Press Process Data (F5)."),
             Tone.GOOD,
         )
@@ -85,93 +87,60 @@ def stage_of(scene: Scene) -> StageState:
 
 
 def _of_phase(status: Status, step: Step, scene: Scene) -> StageState:
-    pose = pose_of(step, scene.settings)
+    words = scene.words
+    pose = _pose(step, scene)
     following = _following(step, scene)
-    where = f"Position {step.number}, {scene.done_before + 1} of {scene.total}."
+    where = f"{words.noun.capitalize()} {step.number}, {scene.done_before + 1} of {scene.total}."
+    asked = f"{where} {words.mounting(step, scene.last_mount)}"
+    headline = words.headline(step, scene.last_mount)
     match status.phase:
         case Phase.READY:
-            return StageState(
-                _turn_words(step, scene),
-                f"{where} {_mount_sentence(step, scene)}Then press Space to accumulate"
-                f" {scene.settings.accumulation_s:g} s.",
-                Tone.ACTION,
-                None,
-                None,
-                pose,
-                *following,
-            )
+            then = f"Then press Space to accumulate {scene.settings.accumulation_s:g} s."
+            return _still(headline, asked + then, pose, following)
         case Phase.TURN:
-            return StageState(
-                _turn_words(step, scene),
-                f"{where} {_mount_sentence(step, scene)}Accumulates by itself once the unit is at"
-                " rest.",
-                Tone.ACTION,
-                None,
-                None,
-                pose,
-                *following,
-            )
+            return _still(headline, asked + words.by_itself, pose, following)
         case Phase.MOVING:
-            return StageState(
-                _turn_words(step, scene),
-                f"{where} {_mount_sentence(step, scene)}The unit is moving.",
-                Tone.ACTION,
-                None,
-                None,
-                pose,
-                *following,
-            )
+            return _still(headline, asked + words.moving, pose, following)
         case Phase.SETTLING:
-            return StageState(
-                "Settling",
-                f"{where} At rest; hands off.",
-                Tone.BUSY,
-                status.progress,
-                status.remaining_s,
-                pose,
-                *following,
-            )
+            return _timed("Settling", f"{where} {words.settling}", status, pose, following)
         case Phase.MEASURING:
-            return StageState(
-                "Measuring",
-                f"{where} Do not touch the head.",
-                Tone.BUSY,
-                status.progress,
-                status.remaining_s,
-                pose,
-                *following,
-            )
+            return _timed("Measuring", f"{where} {words.measuring}", status, pose, following)
         case _:
             return StageState(
-                scene.doubt or "Wrong position",
+                scene.doubt or words.wrong,
                 "Nothing was recorded; see below.",
                 Tone.DOUBT,
                 pose=pose,
             )
 
 
-def _done(position: Position, step: Step, scene: Scene) -> StageState:
+def _still(
+    headline: str, detail: str, pose: Pose | None, following: tuple[Pose | None, str]
+) -> StageState:
+    return StageState(headline, detail, Tone.ACTION, None, None, pose, *following)
+
+
+def _timed(
+    headline: str,
+    detail: str,
+    status: Status,
+    pose: Pose | None,
+    following: tuple[Pose | None, str],
+) -> StageState:
     return StageState(
-        f"Position {position.step.number} done",
-        f"On the disk. Next: position {step.number}, {mount_words(step.mount)},"
-        f" {angle_words(step.head_deg)}.",
-        Tone.GOOD,
-        pose=pose_of(step, scene.settings),
+        headline, detail, Tone.BUSY, status.progress, status.remaining_s, pose, *following
     )
 
 
-def _turn_words(step: Step, scene: Scene) -> str:
-    turn = f"Turn to {angle_words(step.head_deg)}"
-    if scene.last_mount and scene.last_mount != step.mount:
-        return f"Re-mount, {turn[0].lower()}{turn[1:]}"
-    return turn
-
-
-def _mount_sentence(step: Step, scene: Scene) -> str:
-    words = mount_words(step.mount)
-    if scene.last_mount and scene.last_mount != step.mount:
-        return f"Bolt the unit on anew with {words}. "
-    return f"{words}. "
+def _done(position: Position, step: Step, scene: Scene) -> StageState:
+    words = scene.words
+    return StageState(
+        f"{words.noun.capitalize()} {position.step.number} done",
+        f"On the disk. Next: {words.noun} {step.number}, {words.place(step)},"
+        f" {words.setting(step)}.",
+        Tone.GOOD,
+        pose=_pose(step, scene),
+    )
 
 
 def _following(step: Step, scene: Scene) -> tuple[Pose | None, str]:
@@ -180,29 +149,26 @@ def _following(step: Step, scene: Scene) -> tuple[Pose | None, str]:
     if place >= len(scene.steps):
         return None, ""
     after = scene.steps[place]
-    return pose_of(after, scene.settings), angle_words(after.head_deg)
+    return _pose(after, scene), scene.words.setting(after)
 
 
-def pose_of(step: Step, settings: HeadSettings) -> Pose:
-    """The picture of a step."""
-    return Pose(step.mount, step.head_deg, settings.tilter.angles_deg)
+def _pose(step: Step, scene: Scene) -> Pose | None:
+    return scene.words.pose(step, scene.settings)
 
 
-def doubt_banner(outcome: Outcome, steps: tuple[Step, ...]) -> BannerState:
+def doubt_banner(outcome: Outcome, steps: tuple[Step, ...], words: Words) -> BannerState:
     """What to say of an accumulation that was not taken."""
     errors = [n for n in outcome.accumulation.notes if n.severity is Severity.ERROR]
     recognition = outcome.recognition
     if recognition.acceptable:
-        what = {"too_short": "Too short", "moved": "The head moved"}.get(
-            errors[0].subject, "Not taken"
-        )
+        what = {"too_short": "Too short", "moved": words.moved}.get(errors[0].subject, "Not taken")
         why = errors[0].text
         others: tuple[BannerAction, ...] = ()
     else:
         what, why = _sentence(recognition.text).rstrip("."), ""
         others = tuple(
             BannerAction(
-                f"{ACCEPT_AS}{steps[place].number}", f"Accept as position {steps[place].number}"
+                f"{ACCEPT_AS}{steps[place].number}", f"Accept as {words.noun} {steps[place].number}"
             )
             for place in recognition.candidates[:2]
             if steps[place].number != outcome.step.number
@@ -216,7 +182,7 @@ def doubt_banner(outcome: Outcome, steps: tuple[Step, ...]) -> BannerState:
             part
             for part in (
                 _sentence(why),
-                f"Nothing has been recorded under {label_of(outcome.step)}.",
+                f"Nothing has been recorded under {words.label(outcome.step)}.",
             )
             if part
         ),
@@ -225,28 +191,29 @@ def doubt_banner(outcome: Outcome, steps: tuple[Step, ...]) -> BannerState:
     )
 
 
-def elsewhere_banner(text: str, candidates: tuple[int, ...], step: Step) -> BannerState:
+def elsewhere_banner(
+    text: str, candidates: tuple[int, ...], step: Step, words: Words
+) -> BannerState:
     """What to say, hands-free, when the unit rests in another position than the current one."""
     others = [number for number in candidates if number != step.number]
     return BannerState(
         Severity.WARNING,
         _sentence(text).rstrip("."),
         "Nothing is being measured.",
-        f"Turn to {angle_words(step.head_deg)}, {mount_words(step.mount)}; or measure what is"
-        " there.",
+        f"{words.order(step)}, {words.place(step)}; or measure what is there.",
         tuple(
-            BannerAction(f"{MEASURE}{number}", f"Measure position {number}")
+            BannerAction(f"{MEASURE}{number}", f"Measure {words.noun} {number}")
             for number in others[:2]
         ),
     )
 
 
-def next_temperature_banner(here_c: float, after_c: float) -> BannerState:
-    """What to say when all positions at a temperature are done."""
+def next_temperature_banner(here_c: float, after_c: float, nouns: str) -> BannerState:
+    """What to say when all steps at a temperature are done."""
     here, after = (f"{value:+g} °C".replace("-", "\N{MINUS SIGN}") for value in (here_c, after_c))
     return BannerState(
         Severity.INFO,
-        f"All positions at {here} are done",
+        f"All {nouns} at {here} are done",
         "",
         f"Set the chamber to {after}, wait until the unit has its temperature, then go on.",
         (NEXT,),
@@ -261,14 +228,15 @@ def steps_of(
     current: int | None,
     problem: int | None,
     means: dict[int, list[float]],
-    settings: HeadSettings,
+    words: Words,
+    settings: MeasuringSettings,
 ) -> tuple[StepState, ...]:
     """The rows of the step list."""
     return tuple(
         StepState(
-            label=f"{step.number}   {angle_words(step.head_deg)}",
+            label=f"{step.number}   {words.setting(step)}",
             mark=_mark(step.number, counts, wanted, current, problem),
-            pose=pose_of(step, settings),
+            pose=words.pose(step, settings),
             values=_values(means.get(step.number, [])),
             replicates=counts.get(step.number, 0),
             group=step.group,

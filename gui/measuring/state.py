@@ -1,9 +1,12 @@
-"""Everything that the dividing-head tab shows."""
+"""Everything that a measuring tab shows."""
 
 from dataclasses import dataclass, field
+from typing import Generic, TypeVar
 
-from gui.dividing_head.settings import HeadSettings
+from gui.measuring.settings import MeasuringSettings
 from gui.widgets.states import ActionBarState, StageState, StepState
+
+S = TypeVar("S", bound=MeasuringSettings)
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,12 +24,15 @@ class Locked:
 
 
 @dataclass(frozen=True, slots=True)
-class HeadState:
+class MeasuringState(Generic[S]):
     """The tab.
 
     Parameters
     ----------
-    layout : ``"clbacc"`` or ``"pointer"``
+    layout : of the device
+    sensors : how many rows the live table has
+    test : of the plan
+    lists : accessible name of the list of steps
     settings : as the operator set them
     locked : which of them cannot be changed
     plans : identifiers and titles of the plans
@@ -42,7 +48,10 @@ class HeadState:
     """
 
     layout: str
-    settings: HeadSettings
+    sensors: int
+    test: str
+    lists: str
+    settings: S
     locked: Locked
     plans: tuple[tuple[str, str], ...]
     temperatures: tuple[float, ...]
@@ -61,11 +70,11 @@ class LiveRow:
     """One sensor in the live table; texts, empty where there is nothing."""
 
     name: str
-    acc_mean: str = ""
-    acc_std: str = ""
-    acc_temp: str = ""
-    rate_mean: str = ""
-    rate_temp: str = ""
+    mean: str = ""
+    std: str = ""
+    temp: str = ""
+    other_mean: str = ""
+    other_temp: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,12 +84,14 @@ class LiveState:
     Parameters
     ----------
     rows : one a sensor
+    sensor : ``"accelerometer"`` or ``"gyro"``: what the first columns are of
     unit : of the means
-    std_unit : ``"mg"`` once the scale factors are known
-    has_rates : whether the columns of the gyros are shown
+    std_unit : another, e.g. ``"mg"``, once the scale factors are known
+    has_others : whether the columns of the other kind of sensor are shown
     """
 
     rows: tuple[LiveRow, ...] = field(default_factory=tuple)
+    sensor: str = "accelerometer"
     unit: str = "code"
     std_unit: str = "code"
-    has_rates: bool = False
+    has_others: bool = False

@@ -5,35 +5,37 @@ from collections.abc import Iterable, Mapping
 from core.plans.plan import Plan
 from core.procedures.measuring import Phase, Status, means_of
 from core.records.session.events import Position
-from gui.dividing_head.bench import Bench
-from gui.dividing_head.cues import Scene, stage_of, steps_of
-from gui.dividing_head.device import CLBACC, EMPTY
-from gui.dividing_head.results import ResultsPresenter
-from gui.dividing_head.sitting import Sitting
-from gui.dividing_head.state import HeadState, Locked
-from gui.dividing_head.taking import Taking
+from gui.measuring.bench import Bench
+from gui.measuring.cues import Scene, stage_of, steps_of
+from gui.measuring.guide import S
+from gui.measuring.results import Results
+from gui.measuring.sitting import Sitting
+from gui.measuring.state import Locked, MeasuringState
+from gui.measuring.taking import Taking
 from gui.widgets.states import ActionBarState, measuring_actions
 
 _OF_SESSION = "It belongs to the session; press New session to change it"
 _WHILE_MEASURING = "An accumulation is running"
 
 
-def head_state(
+def measuring_state(
     bench: Bench,
-    sitting: Sitting,
+    sitting: Sitting[S],
     taking: Taking,
-    results: ResultsPresenter,
+    results: Results,
     plans: Mapping[str, Plan],
-) -> HeadState:
+) -> MeasuringState[S]:
     """Everything that the view shows now."""
-    settings, plan, walk = sitting.settings, sitting.plan, sitting.walk
-    device = bench.device or EMPTY
+    settings, plan, walk, guide = sitting.settings, sitting.plan, sitting.walk, sitting.guide
+    device = bench.device or guide.empty
+    words = guide.words(plan)
     progress = sitting.progress
     status = walk.status
     session = sitting.keeper.session
     pending = taking.pending
     last = sitting.keeper.last
     scene = Scene(
+        words=words,
         status=status,
         steps=plan.steps,
         settings=settings,
@@ -44,17 +46,20 @@ def head_state(
         total=len(plan.steps) * settings.passes,
         last_mount="" if last is None else last.step.mount,
         doubt="Not taken" if pending is not None and pending.recognition.acceptable else "",
-        processed=results.state is not None,
+        processed=results.page is not None,
     )
-    return HeadState(
+    return MeasuringState(
         layout=device.layout,
+        sensors=len(device.rows),
+        test=plan.test,
+        lists=words.lists,
         settings=settings,
         locked=Locked(
             plan=_OF_SESSION if session is not None else "",
             timing=_WHILE_MEASURING if walk.measuring else "",
         ),
         plans=tuple((plan_id, one.title) for plan_id, one in plans.items()),
-        temperatures=settings.cycle_c if device.layout == CLBACC or settings.thermo else (),
+        temperatures=settings.cycle_c if guide.thermal(device, settings) else (),
         steps=steps_of(
             plan.steps,
             dict(progress.counts),
@@ -62,6 +67,7 @@ def head_state(
             _current(status),
             None if pending is None else pending.step.number,
             _means(sitting.positions_here, device.checked),
+            words,
             settings,
         ),
         stage=stage_of(scene),
@@ -77,7 +83,7 @@ def head_state(
         session_editable=session is None,
         folder="" if session is None else str(session.folder),
         has_samples=bench.device is not None,
-        has_results=results.state is not None,
+        has_results=results.page is not None,
     )
 
 
@@ -90,7 +96,7 @@ def _means(positions: Iterable[Position], checked: str) -> dict[int, list[float]
     return {p.step.number: means_of(p.accumulation, checked).tolist() for p in positions}
 
 
-def _enabled(bench: Bench, sitting: Sitting, taking: Taking, results: ResultsPresenter) -> set[str]:
+def _enabled(bench: Bench, sitting: Sitting[S], taking: Taking, results: Results) -> set[str]:
     status = sitting.walk.status
     if sitting.walk.measuring:
         return set()
@@ -103,7 +109,7 @@ def _enabled(bench: Bench, sitting: Sitting, taking: Taking, results: ResultsPre
             enabled.add("repeat")
     if not results.busy and (sitting.keeper.last or results.can_process_again):
         enabled.add("process")
-    if results.state is not None:
+    if results.page is not None:
         enabled.add("export")
     return enabled
 
@@ -114,5 +120,5 @@ def _why_not(bench: Bench, status: Status | None, measuring: bool) -> str:
     if status is None:
         return bench.why_not[1]
     if status.phase is Phase.FINISHED:
-        return "All positions are done; pick one of the list to measure it once more"
+        return "All is done; pick a line of the list to measure it once more"
     return "" if bench.linked else "The link is lost"

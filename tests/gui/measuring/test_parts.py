@@ -13,11 +13,12 @@ from core.samples.accumulate import accumulation_of
 from core.samples.block import Channel, SampleBlock
 from drivers.decoders import make_decoder
 from drivers.profile import load_profiles
-from gui.dividing_head.counts import progress_of, visits_of
 from gui.dividing_head.device import head_device
-from gui.dividing_head.live import LiveMeans, mg_per_unit
-from tests.gui.dividing_head.conftest import Desk
+from gui.dividing_head.processing import mg_per_unit
+from gui.measuring.counts import progress_of, visits_of
+from gui.measuring.live import LiveMeans
 from tests.gui.fake_bench import BIAS, K
+from tests.gui.head_desk import Desk
 
 STEPS = load_plans()["accelerometer_4"].steps
 CHANNELS = (Channel("acc_x", "code", "acc.x"),)
@@ -67,7 +68,7 @@ def test_what_a_profile_is_on_the_head(profile: str, layout: str, rows: int):
         return
     assert device is not None
     assert (device.layout, len(device.rows), len(device.axes)) == (layout, rows, rows)
-    assert all(row.acc_temp for row in device.rows)
+    assert all(row.main_temp for row in device.rows)
 
 
 def test_live_means_are_of_the_last_second():
@@ -82,9 +83,9 @@ def test_live_means_are_of_the_last_second():
             live.feed(
                 SampleBlock(channels, index, frozen(np.full((10, len(channels)), level)), 100)
             )
-    assert {row.acc_mean for row in live.state({}).rows} == {"−3.0"}
+    assert {row.mean for row in live.state({}, "mg").rows} == {"−3.0"}
     live.clear()
-    assert {row.acc_mean for row in live.state({}).rows} == {""}
+    assert {row.mean for row in live.state({}, "mg").rows} == {""}
 
 
 def test_milli_g_of_a_code():
@@ -92,7 +93,9 @@ def test_milli_g_of_a_code():
     assert scale == {"acc.x": pytest.approx(1e3 / 9810.0)}
 
 
-def test_what_is_known_of_a_device_is_used_and_what_does_not_fit_is_not(desk: Desk):
+def test_what_is_known_of_a_device_is_used_and_what_does_not_fit_is_not(
+    desk: Desk, monkeypatch: pytest.MonkeyPatch
+):
     known = Nominal(frozen(K), frozen(BIAS), "last year")
     asked: list[str] = []
 
@@ -100,7 +103,7 @@ def test_what_is_known_of_a_device_is_used_and_what_does_not_fit_is_not(desk: De
         asked.append(name)
         return known
 
-    desk.sitting._nominal_of = nominal_of
+    monkeypatch.setattr(desk.sitting.guide, "nominal", lambda root, name: nominal_of(name))
     desk.presenter.new_session()
     assert asked == ["PW09"]
     # With the signs known, the very first position can be wrong.

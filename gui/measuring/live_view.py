@@ -1,4 +1,6 @@
-"""The table of live means: Accelerations and Angular Rates."""
+"""The table of live means: Accelerations, Angular Rates."""
+
+from dataclasses import replace
 
 from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QResizeEvent
@@ -11,7 +13,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from gui.dividing_head.state import LiveRow, LiveState
+from gui.measuring.state import LiveRow, LiveState
 
 
 class LiveTable(QTableWidget):
@@ -41,9 +43,11 @@ class LiveTable(QTableWidget):
         """Show a state."""
         before, self._state = self._state, state
         names = [row.name for row in state.rows]
-        shape = (names, state.unit, state.std_unit, state.has_rates)
-        was = ([r.name for r in before.rows], before.unit, before.std_unit, before.has_rates)
-        if shape != was or self.columnCount() == 0:
+        if (
+            replace(state, rows=()) != replace(before, rows=())
+            or names != [row.name for row in before.rows]
+            or self.columnCount() == 0
+        ):
             self._set_shape(names)
         for place, row in enumerate(state.rows):
             for column, text in enumerate(self._texts(row)):
@@ -52,8 +56,8 @@ class LiveTable(QTableWidget):
                     item.setText(text)
 
     def _texts(self, row: LiveRow) -> tuple[str, ...]:
-        texts = (row.acc_mean, row.acc_std, row.acc_temp)
-        return (*texts, row.rate_mean, row.rate_temp) if self._state.has_rates else texts
+        texts = (row.mean, row.std, row.temp)
+        return (*texts, row.other_mean, row.other_temp) if self._state.has_others else texts
 
     def _set_shape(self, names: list[str]) -> None:
         headers = self._headers()
@@ -73,16 +77,16 @@ class LiveTable(QTableWidget):
 
     def _headers(self) -> list[str]:
         unit = self._state.unit
-        acc = self.tr("Accelerations")
+        titles = [self.tr("Accelerations"), self.tr("Angular Rates")]
+        own, other = titles if self._state.sensor == "accelerometer" else titles[::-1]
         headers = [
-            f"{acc}\n" + self.tr("Mean ({unit})").format(unit=unit),
+            f"{own}\n" + self.tr("Mean ({unit})").format(unit=unit),
             "\n" + self.tr("STD ({unit})").format(unit=self._state.std_unit),
             "\n" + self.tr("Termo (code)"),
         ]
-        if self._state.has_rates:
-            rates = self.tr("Angular Rates")
+        if self._state.has_others:
             headers += [
-                f"{rates}\n" + self.tr("Mean ({unit})").format(unit=unit),
+                f"{other}\n" + self.tr("Mean ({unit})").format(unit=unit),
                 "\n" + self.tr("Termo (code)"),
             ]
         return headers

@@ -1,31 +1,26 @@
-"""The dividing-head tab: clicks in, `HeadState` out."""
+"""A measuring tab: clicks in, `MeasuringState` out."""
 
 import math
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import fields, replace
+from typing import Generic
 
 from PySide6.QtCore import QObject, Signal
 
+from core.plans.orientation import Mount
 from core.plans.plan import Plan, Step
 from core.samples.run import Conditions
-from gui.dividing_head.bench import Bench
-from gui.dividing_head.results import ResultsPresenter
-from gui.dividing_head.scene import head_state
-from gui.dividing_head.settings import HeadSettings, settings_of
-from gui.dividing_head.sitting import Sitting
-from gui.dividing_head.state import HeadState, LiveState
-from gui.dividing_head.taking import Taking
+from gui.measuring.bench import Bench
+from gui.measuring.guide import S
+from gui.measuring.results import Results
+from gui.measuring.scene import measuring_state
+from gui.measuring.sitting import Sitting
+from gui.measuring.state import LiveState, MeasuringState
+from gui.measuring.taking import Taking
 from gui.settings import Settings
 
-SECTION = "dividing_head"
-_PLANS_OF = {
-    "clbacc": ("accelerometer_8", "accelerometer_4", "clbacc_24", "thermal_8"),
-    "pointer": ("pointer_8", "pointer_16", "accelerometer_8", "accelerometer_4", "thermal_8"),
-}
-"""Plans that are kept when a device of a layout comes; the first is taken instead of others."""
 
-
-class HeadPresenter(QObject):
+class MeasuringPresenter(Generic[S], QObject):
     """Everything the view asks for.
 
     Parameters
@@ -34,19 +29,19 @@ class HeadPresenter(QObject):
     sitting : the session
     taking : what becomes of accumulations
     results : what is made of the session
-    plans : those of the dividing head, by id
+    plans : those of the tab, by id
     settings : where the operator's choices are remembered
     """
 
     changed = Signal(object)
-    """A new `HeadState`."""
+    """A new `MeasuringState`."""
 
     def __init__(
         self,
         bench: Bench,
-        sitting: Sitting,
+        sitting: Sitting[S],
         taking: Taking,
-        results: ResultsPresenter,
+        results: Results,
         plans: Mapping[str, Plan],
         settings: Settings,
         parent: QObject | None = None,
@@ -74,14 +69,18 @@ class HeadPresenter(QObject):
         bench.link_changed.connect(self._tell)
 
     @property
-    def state(self) -> HeadState:
+    def state(self) -> MeasuringState[S]:
         """The tab as it is now."""
-        return head_state(self._bench, self._sitting, self._taking, self._results, self._plans)
+        return measuring_state(self._bench, self._sitting, self._taking, self._results, self._plans)
 
     def live(self) -> LiveState:
         """The live table as it is now."""
         live = self._bench.live
-        return LiveState() if live is None else live.state(self._results.mg_per_unit)
+        return (
+            LiveState()
+            if live is None
+            else live.state(self._results.live_scale, self._results.live_unit)
+        )
 
     @property
     def folder(self) -> str:
@@ -90,16 +89,16 @@ class HeadPresenter(QObject):
 
     # --- what the operator sets -------------------------------------------------------------------
 
-    def set_settings(self, settings: HeadSettings) -> None:
+    def set_settings(self, settings: S) -> None:
         """Take the fields of the settings panel."""
         sitting = self._sitting
         if settings == sitting.settings or sitting.walk.measuring:
             return
         if settings.plan_id != sitting.settings.plan_id and settings.plan_id in self._plans:
             sitting.plan = self._plans[settings.plan_id]
-            settings = _for_plan(settings, sitting.plan)
+            settings = sitting.guide.for_plan(_timed(settings, sitting.plan), sitting.plan)
         sitting.settings = replace(settings, visit=min(settings.visit, len(settings.cycle_c) - 1))
-        self._settings.store(SECTION, sitting.settings.to_section())
+        self._settings.store(sitting.guide.key, sitting.settings.to_section())
         sitting.rebegin()
 
     def set_plan(self, plan_id: str) -> None:
@@ -114,9 +113,15 @@ class HeadPresenter(QObject):
 
     def add_angle(self, mount: str, head_deg: float) -> None:
         """Add a position at a free angle."""
+        self.add_step("Free angles", mount, head_deg=head_deg)
+
+    def add_step(
+        self, group: str, mount: str, *, head_deg: float = 0.0, rate_dps: float = 0.0
+    ) -> None:
+        """Add a step of the operator's own to the end of the plan."""
         plan = self._sitting.plan
         number = max(step.number for step in plan.steps) + 1
-        step = Step(number, "Free angles", mount, head_deg)
+        step = Step(number, group, mount, head_deg, rate_dps, Mount.parse(mount).axis.lower())
         self._sitting.plan = plan.with_steps((*plan.steps, step))
         self._sitting.rebegin(number)
 
@@ -157,30 +162,28 @@ class HeadPresenter(QObject):
         """A device that stands in the other layout takes that layout's plan."""
         device, sitting = self._bench.device, self._sitting
         if device is not None and sitting.keeper.session is None:
-            plans = _PLANS_OF[device.layout]
-            if sitting.settings.plan_id not in plans:
-                self.set_plan(plans[0])
+            suitable = sitting.guide.plans_of(device)
+            if suitable and sitting.settings.plan_id not in suitable:
+                self.set_plan(suitable[0])
         self._tell()
 
     def _on_conditions(self, conditions: Conditions) -> None:
         """A loaded file states its own g: show it, since it is what was used."""
+        settings = self._sitting.settings
+        known = {field.name for field in fields(settings)}
         stated = {
             name: value
-            for name, value in (
-                ("g_mps2", conditions.g_mps2),
-                ("u_g_mps2", conditions.u_g_mps2),
-                ("head_u_arcsec", conditions.head_u_arcsec),
-            )
-            if math.isfinite(value)
+            for name in ("g_mps2", "u_g_mps2", "head_u_arcsec")
+            if name in known and math.isfinite(value := getattr(conditions, name))
         }
         if self._sitting.keeper.session is None:
-            self.set_settings(replace(self._sitting.settings, **stated))
+            self.set_settings(replace(settings, **stated))
 
     def _tell(self) -> None:
         self.changed.emit(self.state)
 
 
-def _for_plan(settings: HeadSettings, plan: Plan) -> HeadSettings:
+def _timed(settings: S, plan: Plan) -> S:
     """The plan's own times and temperatures, when it is taken."""
     thermal = bool(plan.temperatures_c)
     return replace(
@@ -191,8 +194,3 @@ def _for_plan(settings: HeadSettings, plan: Plan) -> HeadSettings:
         cycle_c=plan.temperatures_c if thermal else settings.cycle_c,
         visit=0,
     )
-
-
-def remembered(settings: Settings) -> HeadSettings:
-    """The choices of the last time."""
-    return settings_of(settings.section(SECTION))

@@ -1,4 +1,6 @@
-"""The dividing-head tab: plan left, stage middle, results right, actions below."""
+"""The widget of a measuring tab: plan left, stage middle, results right, actions below."""
+
+from typing import Any
 
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtGui import QKeySequence, QPalette, QResizeEvent, QShortcut, QShowEvent
@@ -16,12 +18,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from gui.dividing_head.device import CLBACC
-from gui.dividing_head.live_view import LiveTable
-from gui.dividing_head.presenter import HeadPresenter
-from gui.dividing_head.results_view import ResultsView
-from gui.dividing_head.settings_view import SettingsView
-from gui.dividing_head.state import HeadState
+from gui.measuring.live_view import LiveTable
+from gui.measuring.presenter import MeasuringPresenter
+from gui.measuring.results_view import ResultsView
+from gui.measuring.settings_view import SettingsForm
+from gui.measuring.state import MeasuringState
 from gui.widgets.action_bar import ActionBar
 from gui.widgets.fields import ChoiceField
 from gui.widgets.stage import Stage
@@ -30,22 +31,30 @@ from gui.widgets.step_list import StepList
 _LIVE_MS = 250
 _NO_LIMIT = 16777215
 """Qt's own largest size of a widget."""
+_MANY = 4
+"""From so many sensors the live table stands beside the graph."""
 _WIDE = 85
 """Width in line heights from which stage and results have room side by side."""
 
 
-class HeadView(QWidget):
+class MeasuringView(QWidget):
     """The widget of the tab.
 
     Parameters
     ----------
     presenter : what clicks call, and what is rendered
+    settings : the form of the operator's settings
     """
 
     file_chosen = Signal(str)
     """Load Data: the file that the operator picked."""
 
-    def __init__(self, presenter: HeadPresenter, parent: QWidget | None = None) -> None:
+    def __init__(
+        self,
+        presenter: MeasuringPresenter[Any],
+        settings: SettingsForm[Any],
+        parent: QWidget | None = None,
+    ) -> None:
         super().__init__(parent)
         self._presenter = presenter
         self.stage = Stage()
@@ -53,7 +62,7 @@ class HeadView(QWidget):
         self.action_bar = ActionBar()
         self.live = LiveTable()
         self.results = ResultsView()
-        self.settings = SettingsView()
+        self.settings = settings
         self._plan_label, self._plan = QLabel(), ChoiceField()
         self._session_label, self._session = QLabel(), QLineEdit()
         self._new = QPushButton()
@@ -64,6 +73,7 @@ class HeadView(QWidget):
         self.graph_place = QVBoxLayout()
         self._build()
         self._connect()
+        self._state = presenter.state
         self._retranslate()
         self._live_timer = QTimer(self)
         self._live_timer.timeout.connect(self._on_live)
@@ -138,7 +148,6 @@ class HeadView(QWidget):
         self.action_bar.triggered.connect(self._on_action)
         self.action_bar.hands_free_toggled.connect(presenter.set_hands_free)
         self.settings.edited.connect(presenter.set_settings)
-        self.settings.angle_added.connect(presenter.add_angle)
         self._plan.activated.connect(self._on_plan)
         self._session.editingFinished.connect(self._on_session)
         self._new.clicked.connect(presenter.new_session)
@@ -147,7 +156,7 @@ class HeadView(QWidget):
         # A pedal that bounces: Space does nothing while an accumulation runs, wherever it goes.
         self._swallow = QShortcut(QKeySequence(Qt.Key.Key_Space), self)
 
-    def render(self, state: HeadState) -> None:
+    def render(self, state: MeasuringState[Any]) -> None:
         """Show a state."""
         self._state = state
         self.stage.render(state.stage)
@@ -173,14 +182,13 @@ class HeadView(QWidget):
         self._session.setToolTip(state.folder or self.tr("Folder of the session; can be changed"))
         self._new.setEnabled(not state.session_editable and not state.locked.timing)
         self._graph_hint.setVisible(not state.has_samples)
-        self._arrange(state.layout)
+        self._arrange(state.sensors >= _MANY)
         if state.has_results != self.results.isVisibleTo(self):
             self.results.setVisible(state.has_results)
             self._place_results()
 
-    def _arrange(self, layout: str) -> None:
+    def _arrange(self, beside: bool) -> None:
         """The nine rows of an assembly stand beside the graph, the three of a triad above it."""
-        beside = layout == CLBACC
         direction = QBoxLayout.Direction.LeftToRight if beside else QBoxLayout.Direction.TopToBottom
         if direction is not self._lower_box.direction():
             self._lower_box.setDirection(direction)
@@ -266,4 +274,4 @@ class HeadView(QWidget):
         self._new.setText(self.tr("New session"))
         self._graph_title.setText(self.tr("Main Graph"))
         self._graph_hint.setText(self.tr("The graph begins when samples come."))
-        self.steps.setAccessibleName(self.tr("Positions"))
+        self.steps.setAccessibleName(self._state.lists)

@@ -1,9 +1,10 @@
-"""A session at the head: the plan, the settings, the walk, and the folder on the disk."""
+"""A session at the rig: the plan, the settings, the walk, and the folder on the disk."""
 
 from collections.abc import Callable
 from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
+from typing import Generic
 
 from PySide6.QtCore import QObject, Signal
 
@@ -12,28 +13,24 @@ from core.plans.plan import Plan
 from core.procedures.recognise import Nominal
 from core.records.session.events import Position
 from core.records.session.start import SessionStart
-from gui.dividing_head.bench import Bench
-from gui.dividing_head.counts import Progress, progress_of, visits_of
-from gui.dividing_head.device import CLBACC, HeadDevice
-from gui.dividing_head.keeper import Keeper, free_folder, proposed_name, start_document
-from gui.dividing_head.measure import Course, Walk
-from gui.dividing_head.settings import HeadSettings
+from gui.measuring.bench import Bench
+from gui.measuring.counts import Progress, progress_of, visits_of
+from gui.measuring.guide import Guide, S
+from gui.measuring.keeper import Keeper, free_folder, proposed_name, start_document
+from gui.measuring.walk import Walk
 from gui.messages import Messages
 from gui.widgets.states import BannerState
 
-_STORAGE = "storage"
-_OTHER = "other device"
 
-
-class Sitting(QObject):
+class Sitting(Generic[S], QObject):
     """What is measured, how far it is, and where it is kept.
 
     Parameters
     ----------
+    guide : what is particular to the test
     bench : the device
     messages : where troubles are told
     root : returns the folder of all sessions
-    nominal_of : what earlier calibrations tell of a device, by its name
     plan, settings : to begin with
     """
 
@@ -41,19 +38,21 @@ class Sitting(QObject):
 
     def __init__(
         self,
+        guide: Guide[S],
         bench: Bench,
         messages: Messages,
         root: Callable[[], Path],
-        nominal_of: Callable[[str], Nominal | None],
         plan: Plan,
-        settings: HeadSettings,
+        settings: S,
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
+        self.guide = guide
         self._bench = bench
         self._messages = messages
+        self._storage = f"{guide.key} storage"
+        self._other = f"{guide.key} other device"
         self._root = root
-        self._nominal_of = nominal_of
         self.plan = plan
         self.settings = settings
         self.keeper = Keeper()
@@ -88,7 +87,7 @@ class Sitting(QObject):
     def set_temperature_c(self) -> float:
         """Temperature that the chamber is set to; NaN where none is."""
         settings, device = self.settings, self._bench.device
-        if device is None or not (settings.thermo or device.layout == CLBACC):
+        if device is None or not self.guide.thermal(device, settings):
             return float("nan")
         return settings.cycle_c[settings.visit]
 
@@ -127,6 +126,7 @@ class Sitting(QObject):
             return False
         document = start_document(
             self._bench.name,
+            self.guide.sensor,
             self._bench.channels,
             self._bench.rate,
             self.plan,
@@ -149,12 +149,12 @@ class Sitting(QObject):
             self.walk.end()
         else:
             progress = self.progress
-            nominal = self._known_of(device)
-            course = Course(self.plan.steps, device, self.settings, self._bench.rate, nominal)
+            nominal = self._known_of()
+            course = self.guide.course(self.plan, device, self.settings, self._bench.rate, nominal)
             self.walk.begin(course, progress.before, progress.done, current)
         self.changed.emit()
 
-    def resume(self, folder: Path, settings: HeadSettings) -> None:
+    def resume(self, folder: Path, settings: S) -> None:
         """Continue a session; raises `LabError`. The plan and the settings become its own."""
         session = self.keeper.resume(folder)
         plan = session.record.start.plan
@@ -179,7 +179,7 @@ class Sitting(QObject):
         """End the session; the next one begins with nothing."""
         self.close()
         self._name, self._visits, self._known = "", {}, None
-        self._messages.clear(_OTHER)
+        self._messages.clear(self._other)
         self.rebegin()
 
     def stored(self, act: Callable[[], object], what: str = "Not stored") -> bool:
@@ -187,23 +187,20 @@ class Sitting(QObject):
         try:
             act()
         except StorageError as error:
-            self._messages.tell_error(_STORAGE, what, error)
+            self._messages.tell_error(self._storage, what, error)
             return False
-        self._messages.clear(_STORAGE)
+        self._messages.clear(self._storage)
         session = self.keeper.session
         if session is not None and session.legacy_error is not None:
             self._messages.tell_error("legacy", "The text file is behind", session.legacy_error)
         return True
 
-    def _known_of(self, device: HeadDevice) -> Nominal | None:
+    def _known_of(self) -> Nominal | None:
         """What is known of the device beforehand; looked up once a session."""
         name = self._bench.name
         if self._known is None or self._known[0] != name:
-            self._known = (name, self._nominal_of(name))
-        nominal = self._known[1]
-        # An earlier calibration leaves unused places of an assembly out.
-        fits = nominal is not None and len(nominal.bias) == len(device.axes)
-        return nominal if fits else None
+            self._known = (name, self.guide.nominal(self._root(), name))
+        return self._known[1]
 
     def _fits(self) -> bool:
         """Whether the device can go on with the session that is open."""
@@ -212,9 +209,9 @@ class Sitting(QObject):
             return True
         start = session.record.start
         if start.channels != self._bench.channels:
-            self._messages.show(_OTHER, _other_banner(start, self._bench.name))
+            self._messages.show(self._other, _other_banner(start, self._bench.name))
             return False
-        self._messages.clear(_OTHER)
+        self._messages.clear(self._other)
         return True
 
     def _on_device(self) -> None:

@@ -10,8 +10,8 @@ from core.procedures.measuring import Phase
 from core.records.open import read_any
 from core.records.session.events import Position
 from core.records.session.record import read_session
-from gui.dividing_head.keeper import Keeper
-from tests.gui.dividing_head.conftest import Desk
+from gui.measuring.keeper import Keeper
+from tests.gui.head_desk import Desk
 
 
 def on_disk(desk: Desk) -> list[int]:

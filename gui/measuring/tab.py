@@ -1,0 +1,167 @@
+"""A measuring tab put together."""
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any, Generic
+
+from PySide6.QtCore import QObject
+
+from core.errors import LabError, Severity
+from core.plans.plan import Plan, Step, load_plans
+from core.procedures.measuring import Phase
+from core.records.session.find import Unfinished, unfinished
+from gui.measuring.bench import Bench
+from gui.measuring.exporting import ExportFormat, Exporting
+from gui.measuring.guide import Guide, S
+from gui.measuring.presenter import MeasuringPresenter
+from gui.measuring.results import Results
+from gui.measuring.resuming import Resuming
+from gui.measuring.settings_view import SettingsForm
+from gui.measuring.sitting import Sitting
+from gui.measuring.taking import Taking
+from gui.measuring.view import MeasuringView
+from gui.services import Services
+
+
+class MeasuringTab(Generic[S], QObject):
+    """Presenter, view and what joins them.
+
+    Parameters
+    ----------
+    services : what all tabs share
+    guide : what is particular to the test
+    results : what is made of the measurements
+    form : the operator's settings
+    formats : of the export
+    """
+
+    def __init__(
+        self,
+        services: Services,
+        guide: Guide[S],
+        results: Results,
+        form: SettingsForm[S],
+        formats: Sequence[ExportFormat],
+    ) -> None:
+        super().__init__()
+        self._services = services
+        self.guide = guide
+        plans = plans_of(guide.tests)
+        settings = guide.settings_of(services.settings.section(guide.key))
+        plan = plans.get(settings.plan_id) or next(iter(plans.values()))
+        messages = services.messages
+        self.bench = Bench(services.connection, guide.device_of, guide.missing, self)
+        self.results = results
+        results.setParent(self)
+        self.sitting = Sitting[S](guide, self.bench, messages, services.root, plan, settings, self)
+        self.taking = Taking(self.sitting, self.bench, messages, self)
+        self.presenter = MeasuringPresenter[S](
+            self.bench, self.sitting, self.taking, results, plans, services.settings, self
+        )
+        self.exporting = Exporting(
+            guide.key, formats, self.exported, self._folder, services.jobs, messages, self
+        )
+        nouns = guide.words(plan).nouns
+        self._resuming = Resuming(guide.key, guide.tests, nouns, messages, self)
+        self._resuming.chosen.connect(self._on_resume)
+        self.taking.cue.connect(self._on_cue)
+        self.view = MeasuringView(self.presenter, form)
+        self.view.file_chosen.connect(self._on_file)
+        results.changed.connect(self._on_results)
+        self.view.results.closed.connect(results.clear)
+        self.view.results.set_formats(self.exporting.formats)
+        self.view.results.format_chosen.connect(self._on_format)
+        self.view.results.export_requested.connect(self.exporting.export)
+
+    def exported(self) -> Any:
+        """What the formats of the export are given; None while there is nothing."""
+        return self.results.page
+
+    @property
+    def widget(self) -> MeasuringView:
+        """What is shown."""
+        return self.view
+
+    def after_paint(self) -> None:
+        """Load the charts, and look for sessions that wait."""
+        from gui.measuring.graph import MainGraph
+        from gui.widgets.strip_charts import StripCharts
+
+        charts = StripCharts()
+        charts.setMinimumWidth(18 * charts.fontMetrics().height())
+        self.view.graph_place.addWidget(charts, 1)
+        MainGraph(charts, self.bench, self.sitting)
+        root = self._services.root()
+        self._services.jobs.start(
+            "unfinished sessions", lambda: unfinished(root), self._on_unfinished, self._on_failed
+        )
+
+    def why_busy(self) -> str:
+        """Why the ports cannot be let go of."""
+        return "An accumulation is running." if self.sitting.walk.measuring else ""
+
+    def wanted(self) -> tuple[Plan, Step] | None:
+        """What has to be set on the rig now."""
+        status = self.sitting.walk.status
+        if status is None or status.step is None or status.phase is Phase.MEASURING:
+            return None
+        return self.sitting.plan, status.step
+
+    def close(self) -> None:
+        """Leave the session on the disk, to be continued."""
+        self.taking.stop()
+        self.sitting.close()
+
+    def load(self, path: Path) -> None:
+        """Load Data."""
+        self.results.load(path, self.sitting.settings)
+
+    def _folder(self) -> Path:
+        """Where exports go unless the operator says otherwise."""
+        session = self.sitting.keeper.session
+        return self._services.root() if session is None else session.folder
+
+    def _on_cue(self, name: str) -> None:
+        self._services.play(name)
+        if self.sitting.keeper.session is not None:
+            self._resuming.withdraw()
+
+    def _on_unfinished(self, found: object) -> None:
+        if not isinstance(found, tuple):
+            raise TypeError(f"looking for sessions brought {type(found).__name__}")
+        if self.guide.tells_damage:
+            for one in found:
+                if one.record is None:
+                    self._services.messages.log(Severity.WARNING, one.problem, self.guide.key)
+        if self.sitting.keeper.session is None:
+            self._resuming.offer(found)
+
+    def _on_failed(self, error: LabError) -> None:
+        self._services.messages.log(Severity.ERROR, str(error), self.guide.key)
+
+    def _on_resume(self, one: object) -> None:
+        if not isinstance(one, Unfinished) or one.record is None:
+            raise TypeError(f"{type(one).__name__} cannot be continued")
+        settings = self.guide.settings_of_session(one.record.start, self.sitting.settings)
+        try:
+            self.sitting.resume(one.folder, settings)
+        except LabError as error:
+            source = f"{self.guide.key} session"
+            self._services.messages.tell_error(source, "The session cannot be opened", error)
+
+    def _on_file(self, name: str) -> None:
+        self.load(Path(name))
+
+    def _on_results(self) -> None:
+        page = self.results.page
+        self.view.results.render(page)
+        if page is not None:
+            self._on_format(self.exporting.chosen)
+
+    def _on_format(self, key: str) -> None:
+        self.view.results.show_name(key, self.exporting.propose(key))
+
+
+def plans_of(tests: Sequence[str]) -> Mapping[str, Plan]:
+    """The plans of some tests, by their identifiers."""
+    return {key: plan for key, plan in load_plans().items() if plan.test in tests}

@@ -1,0 +1,5 @@
+"""The desk of the dividing head."""
+
+from tests.gui.head_desk import desk, make_desk
+
+__all__ = ["desk", "make_desk"]
