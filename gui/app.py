@@ -31,6 +31,7 @@ TABS: dict[str, str] = {
     "Dividing head": "gui.dividing_head.tab",
     "Live": "gui.live.tab",
     "Allan": "gui.allan.tab",
+    "Methods": "gui.methods.tab",
 }
 """Every tab of the window: its title and the module that makes it."""
 

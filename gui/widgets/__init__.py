@@ -43,6 +43,7 @@ strip_charts      the widget that tabs use
 Results and analysis
 
 ================  ==================================================================
+analysis_page     frame of an analysis page: picture, findings, actions
 findings_view     tables, doubts, and what can be exported: the right-hand side
 result_table      texts under a title and an equation; clipboard
 table_text        tables as TSV and CSV

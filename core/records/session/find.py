@@ -72,3 +72,23 @@ def unfinished(root: Path) -> tuple[Unfinished, ...]:
         if not record.is_finished:
             found.append(Unfinished(start.parent, record, ""))
     return tuple(found)
+
+
+def newest_session(root: Path, test: str) -> Path | None:
+    """Folder of the session of a test that was begun last; None where there is none.
+
+    Parameters
+    ----------
+    root : folder of all sessions
+    test : as in `core.plans.plan.TESTS`
+    """
+    starts = sorted(root.glob(f"*/{START_NAME}"), key=lambda path: path.stat().st_mtime)
+    for start in reversed(starts):
+        try:
+            record = read_session(start.parent)
+        except FormatError:
+            # A damaged one is told where sessions are resumed; here the next older one serves.
+            continue
+        if record.start.plan.test == test and record.positions:
+            return start.parent
+    return None

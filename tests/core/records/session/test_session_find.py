@@ -1,10 +1,16 @@
+import os
 from datetime import datetime
 from pathlib import Path
 
 import pytest
 
 from core.errors import StorageError
-from core.records.session.find import default_root, new_session_folder, unfinished
+from core.records.session.find import (
+    default_root,
+    new_session_folder,
+    newest_session,
+    unfinished,
+)
 from core.records.session.store import Session
 
 
@@ -49,3 +55,17 @@ def test_there_is_nothing_where_there_is_no_root(tmp_path):
 
 def test_the_root_is_in_the_home_folder():
     assert default_root() == Path.home() / "CalRig"
+
+
+def test_the_newest_session_of_a_test_with_positions(tmp_path, start, means, clock):
+    assert newest_session(tmp_path / "none", "dividing_head") is None
+    for place, name in enumerate(("b", "a", "empty")):
+        session = Session.create(tmp_path / name, start, now=clock)
+        if name != "empty":
+            session.accept(start.plan.steps[0], means(1.0))
+        session.close()
+        os.utime(tmp_path / name / "session.json", (place, place))
+    (tmp_path / "broken").mkdir()
+    (tmp_path / "broken" / "session.json").write_text("{")
+    assert newest_session(tmp_path, "dividing_head") == tmp_path / "a"
+    assert newest_session(tmp_path, "rate_table") is None

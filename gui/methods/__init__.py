@@ -1,0 +1,5 @@
+"""The tab Methods: the other calibration methods, one page each.
+
+tab.py   the tab put together; `PAGES` names the pages
+view.py  what a page is; list of the pages left, the chosen one beside it
+"""

@@ -1,0 +1,103 @@
+"""What the operator decides about a tumble."""
+
+from PySide6.QtCore import QEvent, Signal
+from PySide6.QtWidgets import QCheckBox, QFormLayout, QLabel, QWidget
+
+from gui.tumble.state import TumbleChoices, TumbleState
+from gui.widgets.fields import ChoiceField, NumberField
+
+
+class TumbleSide(QWidget):
+    """Form of `TumbleChoices`."""
+
+    decided = Signal(object)
+    """`TumbleChoices`."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._rendering = False
+        self._choices = TumbleChoices()
+        self.channel, self.harmonics = ChoiceField(), ChoiceField()
+        self.harmonics.addItems(["2", "3"])
+        self.g = NumberField(0.1, 20.0, 5, "m/s²")
+        self.u_g = NumberField(0.0, 0.1, 5, "m/s²")
+        self.head_u = NumberField(0.0, 3600.0, 1, "″")
+        self.drift, self.projection = QCheckBox(), QCheckBox()
+        unit = self.fontMetrics().height()
+        form = QFormLayout(self)
+        form.setContentsMargins(unit // 2, unit // 2, unit // 2, unit // 2)
+        form.setVerticalSpacing(unit // 3)
+        self._labels = [QLabel() for _ in range(5)]
+        fields = (self.channel, self.harmonics, self.g, self.u_g, self.head_u)
+        for label, field in zip(self._labels, fields, strict=True):
+            label.setBuddy(field)
+            form.addRow(label, field)
+        form.addRow(self.drift)
+        form.addRow(self.projection)
+        for choice in (self.channel, self.harmonics):
+            choice.currentIndexChanged.connect(self._on_edited)
+        for number in (self.g, self.u_g, self.head_u):
+            number.setMinimumWidth(6 * unit)
+            number.valueChanged.connect(self._on_edited)
+        for check in (self.drift, self.projection):
+            check.toggled.connect(self._on_edited)
+        self._retranslate()
+
+    def render(self, state: TumbleState) -> None:
+        """Show what is decided."""
+        self._rendering = True
+        choices = self._choices = state.choices
+        names = [self.channel.itemText(place) for place in range(self.channel.count())]
+        if names != list(state.channels):
+            self.channel.clear()
+            self.channel.addItems(list(state.channels))
+        self.channel.setCurrentIndex(self.channel.findText(choices.channel))
+        self.channel.setEnabled(bool(state.channels))
+        self.harmonics.setCurrentIndex(choices.harmonics - 2)
+        self.g.setValue(choices.g_mps2)
+        self.u_g.setValue(choices.u_g_mps2)
+        self.head_u.setValue(choices.head_u_arcsec)
+        self.drift.setChecked(choices.remove_drift)
+        self.projection.setChecked(choices.gravity_projection)
+        self._rendering = False
+
+    def _on_edited(self, *_: object) -> None:
+        if self._rendering:
+            return
+        self.decided.emit(
+            TumbleChoices(
+                channel=self.channel.currentText(),
+                harmonics=self.harmonics.currentIndex() + 2,
+                remove_drift=self.drift.isChecked(),
+                gravity_projection=self.projection.isChecked(),
+                g_mps2=self.g.value(),
+                u_g_mps2=self.u_g.value(),
+                head_u_arcsec=self.head_u.value(),
+            )
+        )
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.LanguageChange:
+            self._retranslate()
+
+    def _retranslate(self) -> None:
+        words = (
+            (self.tr("Output"), self.tr("Which accelerometer; its axis must turn with the head.")),
+            (self.tr("Harmonics"), self.tr("The third shows a nonlinearity of third order.")),
+            (self.tr("Local g"), self.tr("1 where the readings are to be told per g.")),
+            (self.tr("u(g)"), self.tr("Standard uncertainty, k = 1.")),
+            (self.tr("u(head)"), self.tr("Standard uncertainty of one setting of the head.")),
+        )
+        for label, (text, tip) in zip(self._labels, words, strict=True):
+            label.setText(text)
+            buddy = label.buddy()
+            if buddy is not None:
+                buddy.setAccessibleName(text)
+                buddy.setToolTip(tip)
+        self.drift.setText(self.tr("Fit a steady drift"))
+        self.drift.setToolTip(self.tr("Over the run, along with the series."))
+        self.projection.setText(self.tr("Signs of the paper"))
+        self.projection.setToolTip(
+            self.tr("k_x and k_y for the projection of gravity instead of specific force.")
+        )

@@ -1,0 +1,117 @@
+"""The frame of an analysis page: picture in the middle, findings right, actions below."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import (
+    QFileDialog,
+    QLabel,
+    QSplitter,
+    QStackedWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from gui.widgets.action_bar import ActionBar
+from gui.widgets.findings_view import FindingsView
+from gui.widgets.states import ActionBarState, FindingsState
+
+LOAD = "load"
+EXPORT = "export"
+
+
+@dataclass(frozen=True, slots=True)
+class AnalysisState:
+    """What the frame shows.
+
+    Parameters
+    ----------
+    hint : instead of the picture while there is nothing to draw; empty if there is
+    findings : the right-hand side; None to leave it away
+    actions : the row of buttons
+    """
+
+    hint: str
+    findings: FindingsState | None
+    actions: ActionBarState
+
+
+class AnalysisPage(QWidget):
+    """The frame; a page puts its picture into it.
+
+    Parameters
+    ----------
+    content : the picture
+    filters : of the file dialog, in words
+    widths : of picture and findings, in heights of a line
+    """
+
+    triggered = Signal(str)
+    """Key of an action; those of the file dialog and of the export are not told."""
+    file_chosen = Signal(str)
+
+    def __init__(
+        self,
+        content: QWidget,
+        filters: Sequence[str],
+        widths: tuple[int, int] = (36, 31),
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._filters = list(filters)
+        self._dialog: QFileDialog | None = None
+        self.hint = QLabel()
+        self.findings = FindingsView()
+        self.action_bar = ActionBar()
+        unit = self.fontMetrics().height()
+        self.hint.setWordWrap(True)
+        self.hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.hint.setTextFormat(Qt.TextFormat.PlainText)
+        font = self.hint.font()
+        font.setPointSizeF(font.pointSizeF() * 1.2)
+        self.hint.setFont(font)
+        self.hint.setContentsMargins(3 * unit, unit, 3 * unit, unit)
+        self._middle = QStackedWidget()
+        self._content = content
+        self._middle.addWidget(self.hint)
+        self._middle.addWidget(content)
+        across = QSplitter(Qt.Orientation.Horizontal)
+        across.addWidget(self._middle)
+        across.addWidget(self.findings)
+        across.setChildrenCollapsible(False)
+        across.setStretchFactor(0, 3)
+        across.setStretchFactor(1, 2)
+        across.setSizes([width * unit for width in widths])
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(across, 1)
+        column.addWidget(self.action_bar)
+        self.action_bar.triggered.connect(self._on_action)
+
+    def render(self, state: AnalysisState) -> None:
+        """Show a state."""
+        self.hint.setText(state.hint)
+        self._middle.setCurrentWidget(self.hint if state.hint else self._content)
+        self.findings.render(state.findings)
+        self.findings.setVisible(state.findings is not None)
+        self.action_bar.render(state.actions)
+
+    def _on_action(self, key: str) -> None:
+        if key == LOAD:
+            self._open_dialog()
+        elif key == EXPORT:
+            self.findings.export()
+        else:
+            self.triggered.emit(key)
+
+    def _open_dialog(self) -> None:
+        """The file dialog; it blocks nothing."""
+        if self._dialog is None:
+            dialog = QFileDialog(self, self.action_bar.button(LOAD).text())
+            dialog.setFileMode(QFileDialog.FileMode.ExistingFile)
+            dialog.setNameFilters(self._filters)
+            dialog.fileSelected.connect(self.file_chosen)
+            self._dialog = dialog
+        self._dialog.show()
