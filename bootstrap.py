@@ -3,11 +3,13 @@
     python3 bootstrap.py run [--offscreen] [arguments of calrig]
     python3 bootstrap.py test [arguments of pytest]
     python3 bootstrap.py bench [words in a benchmark's file name]
+    python3 bootstrap.py bundle [arguments of PyInstaller]
 
 run    open the program on the simulated rig; without a screen (or with --offscreen) play the
        scripted demonstration instead, which writes its files and pictures into demo-output/
 test   lint, type check, import rules and all tests
 bench  the benchmarks; exit code 1 if one misses its target
+bundle the program as a folder and an archive in dist/ that need no Python
 
 The first start makes .venv and installs the packages of requirements.lock into it; later starts
 only look at a stamp. Needs Python 3.11 or newer and nothing else.
@@ -24,6 +26,7 @@ try:
     import platform
     import shutil
     import subprocess
+    import tempfile
     from pathlib import Path
     from typing import NamedTuple
 except ImportError as gap:  # Debian's python3-minimal
@@ -345,6 +348,29 @@ def bench(environment: Environment, arguments: list[str]) -> int:
     return 1 if missed else 0
 
 
+def bundle(environment: Environment, arguments: list[str]) -> int:
+    """Build the program as one folder that needs no Python, and see it work."""
+    environ = headless_environment()
+    provide_libraries(environ)
+    environment.prepare(DEVELOPMENT)
+    folder, work = environment.root / "dist", environment.root / "build"
+    spec = environment.root / "resources" / "packaging" / "calrig.spec"
+    build = ["-m", "PyInstaller", "--noconfirm", f"--distpath={folder}", f"--workpath={work}"]
+    run_or_stop(
+        [str(environment.python), *build, *arguments, str(spec)],
+        "PyInstaller could not build the folder; its reason stands above.",
+    )
+    program = folder / "calrig" / ("calrig-cli.exe" if os.name == "nt" else "calrig")
+    with tempfile.TemporaryDirectory() as elsewhere:
+        say("playing the demonstration with what was built")
+        if subprocess.call([program, "demo", "--out", elsewhere], env=environ, cwd=elsewhere) != 0:
+            raise StopError(f"{program} was built and does not work.")
+    kind = "zip" if os.name == "nt" else "gztar"
+    name = f"calrig-{platform.system()}-{platform.machine()}".lower()
+    say(shutil.make_archive(str(folder / name), kind, folder, "calrig"))
+    return 0
+
+
 def has_screen(environ: dict[str, str]) -> bool:
     """True if a window can be opened."""
     if sys.platform != "linux":
@@ -382,7 +408,7 @@ def main(arguments: list[str]) -> int:
         print(f"CalRig needs Python 3.11 or newer; this is {here} ({sys.executable}).")
         print("Install a newer one from python.org or your system and start with it.")
         return 2
-    actions = {"run": run, "test": test, "bench": bench}
+    actions = {"run": run, "test": test, "bench": bench, "bundle": bundle}
     if not arguments or arguments[0] not in actions:
         print(__doc__)
         return 0 if arguments[:1] in (["-h"], ["--help"]) else 2
