@@ -125,9 +125,12 @@ class Application(QObject):
 
     def _make_parts(self) -> None:
         """Import and make everything behind the window: numpy, the drivers, the tabs."""
+        from gui.devices.adc import AdcPresenter
+        from gui.devices.adc_view import AdcPanel
         from gui.devices.connection import Connection
         from gui.devices.presenter import DevicesPresenter
         from gui.devices.setup import setups_of_section
+        from gui.devices.stopping import Stopping
         from gui.devices.view import DevicesView
         from gui.services import Services
 
@@ -137,6 +140,9 @@ class Application(QObject):
         )
         self.devices.show_setups(setups_of_section(self.settings.section("devices")))
         self.window.put_devices(DevicesView(self.devices))
+        self.stopping = Stopping(self.connection, self.messages, self._why_busy, self)
+        self.adc = AdcPresenter(self.connection, self.jobs, lambda: self._root, self)
+        self.window.put_adc(AdcPanel(self.adc))
         self._connect()
         services = Services(
             self.connection,
@@ -161,6 +167,8 @@ class Application(QObject):
         connection.changed.connect(self._on_port)
         connection.properties_wanted.connect(window.devices.open)
         window.strip.device_chosen.connect(connection.select)
+        window.stop_requested.connect(self.stopping.stop)
+        window.start_requested.connect(self.stopping.start)
         connection.changed.connect(self._on_welcomed)
         self.messages.action.connect(self._on_action)
         self.devices.accepted.connect(self._remember)

@@ -74,6 +74,8 @@ class MainWindow(QMainWindow):
 
     look_chosen = Signal(str)
     sound_switched = Signal(bool)
+    stop_requested = Signal()
+    start_requested = Signal()
     closing = Signal()
     painted = Signal()
     """The window stands on the screen for the first time."""
@@ -104,6 +106,11 @@ class MainWindow(QMainWindow):
         )
         self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self._dock)
         self._dock.hide()
+        self._adc = QDockWidget(self)
+        self._adc.setObjectName("adc")
+        self.addDockWidget(Qt.DockWidgetArea.BottomDockWidgetArea, self._adc)
+        self._adc.hide()
+        self._stop, self._start = QAction(self), QAction(self)
         self._build()
         self._build_menu()
         self._connect()
@@ -137,6 +144,15 @@ class MainWindow(QMainWindow):
         self._menu.addAction(self._sound)
         self._menu.addAction(self._dock.toggleViewAction())
         self._dock.toggleViewAction().setVisible(False)
+        adc = self._adc.toggleViewAction()
+        adc.setShortcut(QKeySequence("Ctrl+D"))
+        self._menu.addAction(adc)
+        self.strip.menu.addAction(adc)
+        self.strip.menu.addSeparator()
+        self.strip.menu.addAction(self._stop)
+        self.strip.menu.addAction(self._start)
+        self._stop.triggered.connect(self.stop_requested)
+        self._start.triggered.connect(self.start_requested)
         self._menu.addSeparator()
         self._keys.setShortcut(QKeySequence("F1"))
         self._keys.triggered.connect(self._on_keys)
@@ -176,6 +192,10 @@ class MainWindow(QMainWindow):
         else:
             self.devices.open()
 
+    def put_adc(self, panel: QWidget) -> None:
+        """Put View ADC Data into its dock, which stands in every tab."""
+        self._adc.setWidget(panel)
+
     def show_rig(self, panel: QWidget | None) -> None:
         """Dock the rig, or take it away."""
         if panel is not None and self._dock.widget() is not panel:
@@ -205,6 +225,7 @@ class MainWindow(QMainWindow):
                     "Space accumulates. Backspace repeats the last position. Delete discards."
                     " Ctrl+Z takes back. Esc stops. Arrows and Enter, or 1 to 9, pick a position."
                     " Ctrl+H hands-free. Ctrl+O loads, F5 processes, Ctrl+E exports. Ctrl+L log."
+                    " Ctrl+D shows ADC data."
                 ),
             ),
         )
@@ -237,3 +258,6 @@ class MainWindow(QMainWindow):
         self._sound.setText(self.tr("Sounds"))
         self._keys.setText(self.tr("Keys"))
         self._dock.setWindowTitle(self.tr("Simulated rig"))
+        self._adc.setWindowTitle(self.tr("View ADC Data"))
+        self._stop.setText(self.tr("Stop Device"))
+        self._start.setText(self.tr("Start Device"))

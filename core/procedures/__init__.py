@@ -8,6 +8,8 @@ recognise
     Does the mean fit the chosen position, or another one.
 calibration, triad
     `Calibration`: what a procedure hands to exports and reports; three sensors as one `Triad`.
+physical
+    Samples in units of their input, by a calibration.
 dividing_head
     Accelerometers on the dividing head: (1.8), (2.4) and any other set of positions.
 attitude

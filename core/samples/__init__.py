@@ -6,6 +6,8 @@ accumulate, mean_error
     `Accumulator`: N seconds by the device's counter -> `Accumulation`.
 stillness
     Has the head come to rest, did it move meanwhile.
+running
+    Mean and standard deviation while samples come.
 run
     `Run`: the accumulated rows of one test, the input of every procedure.
 """

@@ -59,6 +59,8 @@ class Connection(QObject):
         self._current = 0
         self._ticks = 0
         self._told_silent = False
+        self.stopped = False
+        """The operator has stopped the current device: its silence is no trouble."""
         self._timer = QTimer(self)
         self._timer.setInterval(PERIOD_MS)
         self._timer.timeout.connect(self.drain)
@@ -93,7 +95,7 @@ class Connection(QObject):
         """Make another device the current one."""
         if current != self._current and 0 <= current < len(self._links):
             self._current = current
-            self._told_silent = False
+            self._told_silent = self.stopped = False
             self.changed.emit()
             self._tell()
 
@@ -107,7 +109,7 @@ class Connection(QObject):
             except LinkError as error:
                 self._messages.tell_error(_SOURCE, "The port stays busy", error)
         self._links = []
-        self._told_silent = False
+        self._told_silent = self.stopped = False
         self._messages.clear(_SOURCE)
         if had:
             self.changed.emit()
@@ -162,6 +164,8 @@ class Connection(QObject):
         if trouble is not None:
             self._messages.tell_error("raw log", "Bytes are not recorded", trouble)
         silent = link.mark is LinkMark.SILENT and link.counters.silent_s > _SILENT_S
+        if self.stopped:
+            return
         if silent and not self._told_silent:
             self._messages.show(_SOURCE, silent_banner(link.setup, link.counters))
         elif self._told_silent and link.mark is LinkMark.STREAMING:

@@ -118,6 +118,10 @@ class Link:
         """Let something hear all that is read from now on, in the reader's thread; or no more."""
         self._reader.tap = tap
 
+    def send(self, data: bytes) -> None:
+        """Have bytes sent to the device within some 50 ms."""
+        self._reader.write(data)
+
     def sync(self) -> None:
         """Wait until the raw bytes are on the disk; raises `StorageError`."""
         self._reader.sync()

@@ -2,7 +2,16 @@
 
 from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPalette
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QPushButton, QSizePolicy, QWidget
+from PySide6.QtWidgets import (
+    QComboBox,
+    QHBoxLayout,
+    QLabel,
+    QMenu,
+    QPushButton,
+    QSizePolicy,
+    QToolButton,
+    QWidget,
+)
 
 from gui.widgets.icons import paint_tone
 from gui.widgets.number_text import grouped
@@ -34,6 +43,11 @@ class DeviceStrip(QWidget):
         self._device.activated.connect(self.device_chosen)
         self._properties = QPushButton()
         self._properties.clicked.connect(self.properties_requested)
+        self._orders = QToolButton()
+        self._orders.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.menu = QMenu(self)
+        """What can be done with the device; who owns the window puts its actions here."""
+        self._orders.setMenu(self.menu)
         self._port = QLabel()
         self._sign = _Sign()
         self._link = QLabel()
@@ -47,6 +61,7 @@ class DeviceStrip(QWidget):
         row.setSpacing(round(0.6 * unit))
         row.addWidget(self._device)
         row.addWidget(self._properties)
+        row.addWidget(self._orders)
         row.addSpacing(unit // 2)
         row.addWidget(self._port)
         row.addSpacing(unit // 2)
@@ -102,6 +117,8 @@ class DeviceStrip(QWidget):
     def _retranslate(self) -> None:
         self._properties.setText(self.tr("Properties"))
         self._properties.setToolTip(self.tr("Device Properties: number, port, baud rate, scan"))
+        self._orders.setText(self.tr("Device"))
+        self._orders.setToolTip(self.tr("View ADC Data, Stop Device"))
         self._device.setAccessibleName(self.tr("Device"))
         self._temperature.setToolTip(self.tr("Temperature of the device"))
         captions = {

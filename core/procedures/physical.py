@@ -1,0 +1,66 @@
+"""Outputs of a unit in units of their input, by a calibration."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from core.arrays import FloatArray, frozen
+from core.procedures.calibration import Calibration
+from core.samples.block import Channel
+
+_PREFIX = {"accelerometer": "acc", "gyro": "rate"}
+_UNITS = {"accelerometer": "m/s^2", "gyro": "deg/s"}
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Physical:
+    """A linear map from some channels to their input.
+
+    Parameters
+    ----------
+    places : (k,) columns of the channels in the samples
+    matrix : (k, k) input per unit of output
+    zero : (k,) output at zero input
+    unit : of the input
+    """
+
+    places: tuple[int, ...]
+    matrix: FloatArray
+    zero: FloatArray
+    unit: str
+
+    def of(self, data: FloatArray) -> FloatArray:
+        """Inputs (n, k) from samples (n, c)."""
+        return frozen((data[:, self.places] - self.zero) @ self.matrix.T)
+
+
+def physical_of(calibration: Calibration, channels: tuple[Channel, ...]) -> Physical | None:
+    """The map for a unit that sends these channels; None where they do not fit.
+
+    Three sensors with all cross axes give a = Q (U - U0) (2.5); others (U - U0) / k each.
+    """
+    prefix = _PREFIX[calibration.sensor]
+    roles = [channel.role for channel in channels]
+    wanted = [_role(name, axis, prefix) for name, axis in
+              zip(calibration.channels, calibration.axes, strict=True)]  # fmt: skip
+    if not wanted or not set(wanted) <= set(roles):
+        return None
+    places = tuple(roles.index(role) for role in wanted)
+    if any(channels[place].unit != calibration.unit for place in places):
+        return None
+    zero = np.array([fit.values[fit.index("bias")] for fit in calibration.fits])
+    if calibration.is_triad:
+        order = [calibration.axes.index(axis) for axis in "xyz"]
+        matrix = np.zeros((3, 3))
+        # Q takes outputs in the order x, y, z and gives the axes in it.
+        matrix[np.ix_(order, order)] = calibration.triad().q
+    else:
+        scales = [fit.values[fit.index("scale_factor")] for fit in calibration.fits]
+        matrix = np.diag(1.0 / np.array(scales))
+    return Physical(places, frozen(matrix), frozen(zero), _UNITS[calibration.sensor])
+
+
+def _role(name: str, axis: str, prefix: str) -> str:
+    """``acc_x`` -> ``acc.x``; the third sensor of an assembly, ``acc_3``, -> ``adc.3``."""
+    which = name.rpartition("_")[2]
+    return f"adc.{which}" if which.isdecimal() else f"{prefix}.{which if len(which) == 1 else axis}"
