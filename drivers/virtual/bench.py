@@ -17,7 +17,7 @@ from core.plans.orientation import (
     earth_rate,
     specific_force,
 )
-from core.units import EARTH_RATE_DPS, RAD_PER_DEG
+from core.units import ARCMIN_PER_DEG, EARTH_RATE_DPS, RAD_PER_DEG
 from drivers.virtual.noise import Lag
 
 _AXES = ("x", "y", "z")
@@ -136,7 +136,11 @@ class Bench:
         self._moves += 1
 
     def spin(self, rate_dps: float, axis: str) -> None:
-        """Stand on the rate table, a case axis along its vertical axis, and go to a rate."""
+        """Stand on the rate table, a case axis along its vertical axis, and go to a rate.
+
+        The axis points up unless the mount says that it points down; a positive rate is
+        counter-clockwise seen from above.
+        """
         self.axis = axis
         self.table.target = rate_dps
         self._moves += 1
@@ -221,16 +225,20 @@ class Bench:
     def _acting(
         self, t: FloatArray, head: FloatArray, table: FloatArray, case: FloatArray
     ) -> Stimulus:
-        """What acts without vibration, in each row."""
+        """What acts without vibration, in each row.
+
+        The table is a head whose shaft points up, and the unit stands on it by its mount.
+        """
         g = self.place.g
-        a, da_dhead = _tumbled(lambda d: specific_force(self.mount, d, g, self.base), head)
-        seen_at = self._sky(head, table)
+        mount, base = (self._standing, self._upright) if self.axis else (self.mount, self.base)
+        a, da_dhead = _tumbled(lambda d: specific_force(mount, d, g, base), head)
+        seen_at = self._sky(mount, base, head, table)
         w = seen_at(self.place.latitude_deg)
         # On the equator the axis of the Earth lies level and points north.
         north = seen_at(0.0) / EARTH_RATE_DPS
         dw_drate = np.zeros_like(w)
         if self.axis:
-            dw_drate[:, _AXES.index(self.axis)] = 1.0
+            dw_drate[:] = case_from_base(mount, 0.0)[:, 0]
             da_dhead = np.zeros_like(a)
         columns = {
             "head_deg": head,
@@ -244,9 +252,22 @@ class Bench:
         w = w + table[:, None] * dw_drate
         return Stimulus(a=a, w=w, da_dhead=da_dhead, dw_drate=dw_drate, columns=columns)
 
-    def _sky(self, head: FloatArray, table: FloatArray) -> Callable[[float], FloatArray]:
+    @property
+    def _standing(self) -> str:
+        """How the unit stands on the table: by its mount, else with the spun axis up."""
+        mount = Mount.parse(self.mount)
+        return self.mount if mount.axis.lower() == self.axis else f"{self.axis.upper()}_from"
+
+    @property
+    def _upright(self) -> BaseOrientation:
+        """The base plate turned so that its shaft points up."""
+        upwards = 90.0 * ARCMIN_PER_DEG
+        return replace(self.base, alpha_arcmin=self.base.alpha_arcmin + upwards)
+
+    def _sky(
+        self, mount: str, base: BaseOrientation, head: FloatArray, table: FloatArray
+    ) -> Callable[[float], FloatArray]:
         """Rate of the Earth (n, 3) by latitude; a turning table swings its level part around."""
-        mount, base = self.mount, self.base
         if not table.any():
             base = replace(base, psi_deg=base.psi_deg - self._table_deg)
             return lambda latitude: _tumbled(lambda d: earth_rate(mount, d, latitude, base), head)[

@@ -34,6 +34,7 @@ class Operator:
         manner = self._rig.options.manner
         t = self._hesitation()
         if step.mount != self._mount:
+            t = self._stop_table(t, manner)
             self._rig.remount(step.mount, after_s=t)
             self._mount = step.mount
             t += manner.remount_s + self._hesitation()
@@ -57,6 +58,14 @@ class Operator:
         self._rig.spin(step.rate_dps, step.axis, after_s=t)
         change = abs(step.rate_dps - self._rig.state.table_target_dps)
         return t + change / manner.table_dps2
+
+    def _stop_table(self, t: float, manner: Manner) -> float:
+        """Nobody bolts a unit on anew while the table turns."""
+        state = self._rig.state
+        if not state.axis or not state.table_target_dps:
+            return t
+        self._rig.spin(0.0, state.axis, after_s=t)
+        return t + abs(state.table_target_dps) / manner.table_dps2 + self._hesitation()
 
     def _hesitation(self) -> float:
         return float(self._rng.uniform(0.4, 1.2))

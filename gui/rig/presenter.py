@@ -1,10 +1,13 @@
 """Orders to the simulated rig, and an operator who turns the head by himself."""
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
+from core.model.stimulus import TABLE
+from core.plans.orientation import Mount
 from core.plans.plan import Plan, Step
 from drivers.virtual.address import rig_of
 from drivers.virtual.faults import Faults
@@ -89,9 +92,10 @@ class RigPresenter(QObject):
             self._rig.be_at(celsius)
 
     def spin(self, rate_dps: float) -> None:
-        """Put the unit on the rate table and turn it about its Z axis."""
+        """Put the unit on the rate table, the axis of its mount upright, and turn it."""
         if self._rig is not None:
-            self._rig.spin(rate_dps, "z")
+            axis = self._rig.state.axis or Mount.parse(self._rig.state.mount).axis.lower()
+            self._rig.spin(rate_dps, axis)
 
     def set_plugged(self, plugged: bool) -> None:
         """Pull the cable, or put it back."""
@@ -159,5 +163,10 @@ class RigPresenter(QObject):
         self._at = wanted
         state = rig.state
         there = state.mount == step.mount and abs(state.head_target_deg - step.head_deg) < _THERE
+        if plan.test == TABLE:
+            turning = state.table_target_dps if state.axis == step.axis else math.nan
+            there = there and abs(turning - step.rate_dps) < _THERE
+        elif state.axis:
+            there = False
         if not there or state.moving:
             self._hand.goto(step)

@@ -116,7 +116,12 @@ class RigPanel(QWidget):
         rig = view.rig
         self.dial.set_angles(rig.head_deg, rig.head_target_deg)
         words = self.tr("moving") if rig.moving else self.tr("at rest")
-        self._words.setText(f"{rig.mount.replace('_', ' ')} ODH, {words}, {rig.case_c:.1f} °C")
+        place = f"{rig.mount.replace('_', ' ')} ODH, {words}"
+        if rig.axis:
+            place = self.tr("table: {rate} deg/s about {axis}").format(
+                rate=f"{rig.table_dps:+.4g}".replace("-", "\N{MINUS SIGN}"), axis=rig.axis.upper()
+            )
+        self._words.setText(f"{place}, {rig.case_c:.1f} °C")
         place = self._mount.findData(rig.mount)
         if not self._mount.view().isVisible() and place >= 0:
             self._mount.setCurrentIndex(place)

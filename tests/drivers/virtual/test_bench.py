@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from core.plans.orientation import BaseOrientation
+from core.units import EARTH_RATE_DPS
 from drivers.virtual.bench import Bench, Manner, Place, Ramp
 
 G = 9.8106
@@ -159,3 +160,26 @@ def test_ramp_stands_at_its_target():
     ramp.target = 3.0
     assert np.allclose(ramp.path(6, 0.25), [4.5, 4.0, 3.5, 3.0, 3.0, 3.0])
     assert np.array_equal(ramp.path(2, 0.25), [3.0, 3.0])
+
+
+@pytest.mark.parametrize(("mount", "axis", "sign"), [("Z_from", "z", 1), ("X_to", "x", -1)])
+def test_on_the_table_the_spun_axis_is_upright_by_its_mount(mount: str, axis: str, sign: int):
+    one = bench()
+    one.remount(mount)
+    one.spin(40.0, axis)
+    one.stimulus(2000)
+    now = one.stimulus(100)
+    own = "xyz".index(axis)
+    others = [i for i in range(3) if i != own]
+    assert now.a[:, own] == pytest.approx(np.full(100, sign * G))
+    assert now.a[:, others] == pytest.approx(np.zeros((100, 2)), abs=1e-9)
+    earth = EARTH_RATE_DPS * math.sin(math.radians(50.45))
+    assert now.w[:, own] == pytest.approx(np.full(100, sign * (40.0 + earth)), abs=1e-6)
+    assert now.dw_drate[0].tolist() == [sign * (i == own) for i in range(3)]
+
+
+def test_a_mount_of_another_axis_stands_with_the_spun_axis_up():
+    one = bench()
+    one.spin(10.0, "y")
+    one.stimulus(1000)
+    assert one.stimulus(10).a[0] == pytest.approx([0.0, G, 0.0], abs=1e-9)
