@@ -5,7 +5,7 @@ measuring
 walk
     The walk made from a plan and the channels of a device.
 recognise
-    Does the mean fit the chosen position, or another one.
+    Does the mean fit the chosen position, or another one; `recognise_angles`: by its own angle.
 calibration, triad
     `Calibration`: what a procedure hands to exports and reports; three sensors as one `Triad`.
 physical

@@ -4,6 +4,8 @@ block
     `Channel` and `SampleBlock`: what a decoder gives.
 accumulate, mean_error
     `Accumulator`: N seconds by the device's counter -> `Accumulation`.
+turning
+    Angles that begin anew after a full turn.
 stillness
     Has the head come to rest, did it move meanwhile.
 running

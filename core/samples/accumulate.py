@@ -8,6 +8,7 @@ from core.arrays import FloatArray, frozen
 from core.errors import Note, Severity
 from core.samples.block import Channel, SampleBlock
 from core.samples.mean_error import standard_error
+from core.samples.turning import turning_columns, unwrapped, within_turn
 
 _MIN_SAMPLES = 16
 _MOST_LOST = 0.25
@@ -102,7 +103,14 @@ class Accumulator:
         return self.progress >= 1.0
 
     def samples(self) -> tuple[FloatArray, FloatArray]:
-        """Everything collected so far: seconds since the first sample (n,), data (n, c)."""
+        """Everything collected so far: seconds since the first sample (n,), data (n, c).
+
+        Angles run on past the end of their turn.
+        """
+        t, data = self._samples()
+        return t, unwrapped(data, turning_columns(self._blocks[0].channels))
+
+    def _samples(self) -> tuple[FloatArray, FloatArray]:
         index = np.concatenate([block.index for block in self._blocks])
         data = np.concatenate([block.data for block in self._blocks])
         return (index - self._first) / self._rate, data
@@ -117,7 +125,7 @@ class Accumulator:
         """
         if not self._blocks:
             raise ValueError("nothing has been accumulated")
-        t, data = self.samples()
+        t, data = self._samples()
         steps = min(self._next - self._first, self._wanted)
         return accumulation_of(
             self._blocks[0].channels,
@@ -149,11 +157,11 @@ def accumulation_of(
     wanted : samples that were asked for, None if what came is what was asked for
     """
     n = len(t)
-    turning = [at for at, channel in enumerate(channels) if _turns(channel)]
-    raw, data = data, _unwrapped(data, turning)
+    turning = turning_columns(channels)
+    raw, data = data, unwrapped(data, turning)
     mean = data.mean(axis=0)
     for at in turning:
-        mean[at] = _within_turn(float(mean[at]), raw[:, at])
+        mean[at] = within_turn(float(mean[at]), raw[:, at])
     slope, slope_se = np.zeros_like(mean), np.full_like(mean, np.nan)
     se, dof = np.full_like(mean, np.nan), np.zeros_like(mean)
     notes = list(_faults(channels, data, n, lost, wanted))
@@ -177,28 +185,6 @@ def accumulation_of(
         slope_se=frozen(slope_se),
         notes=tuple(notes),
     )
-
-
-def _turns(channel: Channel) -> bool:
-    """Whether a channel is an angle that starts anew after a full turn."""
-    return channel.role.startswith("angle.") and channel.unit == "deg"
-
-
-def _unwrapped(data: FloatArray, turning: list[int]) -> FloatArray:
-    """Samples (n, c) without the jumps of angles that pass 180 or 360 degrees."""
-    if not turning:
-        return data
-    smooth = data.copy()
-    smooth[:, turning] = np.unwrap(data[:, turning], period=360.0, axis=0)
-    return smooth
-
-
-def _within_turn(mean: float, samples: FloatArray) -> float:
-    """The mean within the turn that the device counts in: above -180, or from 0."""
-    if samples.min() < 0.0:
-        turned = mean % 360.0
-        return turned - 360.0 if turned > 180.0 else turned
-    return mean % 360.0
 
 
 def _faults(

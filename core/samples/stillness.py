@@ -11,6 +11,7 @@ import numpy as np
 from core.arrays import BoolArray, FloatArray
 from core.samples.block import SampleBlock, chosen_columns
 from core.samples.mean_error import standard_error
+from core.samples.turning import turning_columns, unwrapped
 
 _QUARTERS = 4
 _REST_LIMIT = 8.0
@@ -34,6 +35,7 @@ class StillnessDetector:
         self._watched = watched
         self._wanted = max(round(rate * window_s), 2 * _QUARTERS)
         self._blocks: deque[FloatArray] = deque()
+        self._turning: list[int] = []
         self._count = 0
 
     def feed(self, block: SampleBlock) -> None:
@@ -41,6 +43,7 @@ class StillnessDetector:
         columns = chosen_columns(block.channels, self._watched)
         if len(block.index) > 1 and np.any(np.diff(block.index) > 1):
             self.reset()
+        self._turning = turning_columns([block.channels[place] for place in columns])
         self._blocks.append(block.data[:, columns])
         self._count += len(block.index)
         while self._count - len(self._blocks[0]) >= self._wanted:
@@ -61,12 +64,14 @@ class StillnessDetector:
         """Whether the whole window shows no motion; False until the window is full."""
         if not self.full:
             return False
-        window = np.concatenate(self._blocks)[-self._wanted :]
-        return bool(np.all(_spread(window) < _REST_LIMIT))
+        return bool(np.all(_spread(self._window()) < _REST_LIMIT))
 
     def mean(self) -> FloatArray:
         """Mean (m,) of the watched channels over the window."""
-        return np.concatenate(self._blocks)[-self._wanted :].mean(axis=0)
+        return self._window().mean(axis=0)
+
+    def _window(self) -> FloatArray:
+        return unwrapped(np.concatenate(self._blocks)[-self._wanted :], self._turning)
 
 
 def _quarters(window: FloatArray) -> FloatArray:
