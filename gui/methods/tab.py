@@ -11,6 +11,7 @@ from gui.services import Services
 
 PAGES: dict[str, str] = {
     "tumble": "gui.tumble.page",
+    "gyrocompass": "gui.gyrocompass.page",
 }
 """Every page: its key and the module that makes it."""
 

@@ -44,6 +44,7 @@ Results and analysis
 
 ================  ==================================================================
 analysis_page     frame of an analysis page: picture, findings, actions
+noise_fields      N, B and K of a sensor, typed or from a record
 findings_view     tables, doubts, and what can be exported: the right-hand side
 result_table      texts under a title and an equation; clipboard
 table_text        tables as TSV and CSV
