@@ -15,6 +15,7 @@ from gui.measuring.exporting import ExportFormat, Exporting
 from gui.measuring.guide import Guide, S
 from gui.measuring.presenter import MeasuringPresenter
 from gui.measuring.results import Results
+from gui.measuring.results_view import ResultsView
 from gui.measuring.resuming import Resuming
 from gui.measuring.settings_view import SettingsForm
 from gui.measuring.sitting import Sitting
@@ -33,6 +34,7 @@ class MeasuringTab(Generic[S], QObject):
     results : what is made of the measurements
     form : the operator's settings
     formats : of the export
+    page : the results page; None for the common one
     """
 
     def __init__(
@@ -42,6 +44,7 @@ class MeasuringTab(Generic[S], QObject):
         results: Results,
         form: SettingsForm[S],
         formats: Sequence[ExportFormat],
+        page: ResultsView | None = None,
     ) -> None:
         super().__init__()
         self._services = services
@@ -65,7 +68,7 @@ class MeasuringTab(Generic[S], QObject):
         self._resuming = Resuming(guide.key, guide.tests, nouns, messages, self)
         self._resuming.chosen.connect(self._on_resume)
         self.taking.cue.connect(self._on_cue)
-        self.view = MeasuringView(self.presenter, form)
+        self.view = MeasuringView(self.presenter, form, page)
         self.view.file_chosen.connect(self._on_file)
         results.changed.connect(self._on_results)
         self.view.results.closed.connect(results.clear)

@@ -44,6 +44,7 @@ class MeasuringView(QWidget):
     ----------
     presenter : what clicks call, and what is rendered
     settings : the form of the operator's settings
+    results : the results page; None for the common one
     """
 
     file_chosen = Signal(str)
@@ -53,6 +54,7 @@ class MeasuringView(QWidget):
         self,
         presenter: MeasuringPresenter[Any],
         settings: SettingsForm[Any],
+        results: ResultsView | None = None,
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
@@ -61,7 +63,7 @@ class MeasuringView(QWidget):
         self.steps = StepList()
         self.action_bar = ActionBar()
         self.live = LiveTable()
-        self.results = ResultsView()
+        self.results = ResultsView() if results is None else results
         self.settings = settings
         self._plan_label, self._plan = QLabel(), ChoiceField()
         self._session_label, self._session = QLabel(), QLineEdit()
