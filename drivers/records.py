@@ -10,7 +10,10 @@ from core.records.cvgcom import is_cvgcom, read_cvgcom
 from core.records.cvgcom_name import CvgcomName
 from core.records.means import RecordMean, mean_of
 from drivers.framing import MAGIC
+from drivers.rawlog import EVENT, event_of, rawlog_header
 from drivers.recording import SUFFIX, Recording, Stretch, read_recording
+
+_TAIL = 4096
 
 
 def open_record(path: Path) -> Recording:
@@ -53,6 +56,29 @@ def is_recording(path: Path) -> bool:
     except (OSError, ValueError) as error:
         why = getattr(error, "strerror", None) or str(error)
         raise FormatError(path, f"cannot be read: {why}") from error
+
+
+def was_ended(path: Path) -> bool:
+    """Whether a recording was ended in order; told by its last block, without reading the rest.
+
+    Raises
+    ------
+    FormatError
+        It cannot be read, or is no raw log.
+    """
+    rawlog_header(path)
+    try:
+        with path.open("rb") as file:
+            file.seek(max(0, path.stat().st_size - _TAIL))
+            tail = file.read()
+    except OSError as error:
+        raise FormatError(path, f"cannot be read: {error.strerror}") from error
+    _, tag, last = tail.rpartition(EVENT)
+    # The tag is followed by length and check sum.
+    try:
+        return bool(tag) and event_of(last[8:]).kind == "ended"
+    except (ValueError, KeyError):
+        return False
 
 
 def records_in(folder: Path) -> list[Path]:

@@ -2,7 +2,9 @@
 
 import contextlib
 import os
+from collections.abc import Generator
 from pathlib import Path
+from typing import BinaryIO
 
 from core.errors import StorageError
 
@@ -26,19 +28,33 @@ def write_bytes_atomic(path: Path, content: bytes) -> None:
     StorageError
         It could not be written; what stood there before is untouched.
     """
+    with atomic_file(path) as file:
+        file.write(content)
+
+
+@contextlib.contextmanager
+def atomic_file(path: Path) -> Generator[BinaryIO, None, None]:
+    """Open a file that replaces `path` once the block has ended well, for what comes in pieces.
+
+    Raises
+    ------
+    StorageError
+        It could not be written; what stood there before is untouched.
+    """
     # The process id keeps two programs that save the same file out of each other's draft.
     draft = path.with_name(f".{path.name}.{os.getpid()}.tmp")
     try:
         with draft.open("wb") as file:
-            file.write(content)
+            yield file
             file.flush()
             os.fsync(file.fileno())
         draft.replace(path)
         sync_folder(path.parent)
     except OSError as error:
-        with contextlib.suppress(OSError):
-            draft.unlink()
         raise not_stored(path, error, "what stood there before is untouched") from error
+    finally:
+        with contextlib.suppress(OSError):
+            draft.unlink(missing_ok=True)
 
 
 def append_durable(handle: int, content: bytes) -> None:

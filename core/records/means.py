@@ -89,21 +89,31 @@ def mean_of(
         label = f"{record}[{interval[0]:g}..{interval[1]:g}]"
     if not inside.any():
         raise FormatError(label, "holds no samples")
-    t, chosen, numbers = t[inside], data[inside], index[inside]
+    t, numbers = t[inside], index[inside]
     steps = int(numbers[-1] - numbers[0]) + 1
-    found = accumulation_of(
-        channels, t, chosen, first=int(numbers[0]), lost=steps - len(t), wanted=steps
-    )
+    # A channel at a time: of hours of eleven, copies of all would take gigabytes.
+    found = [
+        accumulation_of(
+            (channel,),
+            t,
+            data[inside, place : place + 1],
+            first=int(numbers[0]),
+            lost=steps - len(t),
+            wanted=steps,
+        )
+        for place, channel in enumerate(channels)
+    ]
+    notes = {note.text: note for one in found for note in one.notes}
     return RecordMean(
         label,
         channels,
-        found.mean,
-        found.se,
-        found.n,
+        frozen(np.concatenate([one.mean for one in found])),
+        frozen(np.concatenate([one.se for one in found])),
+        len(t),
         float(t[0]),
         steps / rate,
-        found.lost,
-        found.notes,
+        steps - len(t),
+        tuple(notes.values()),
     )
 
 
@@ -242,6 +252,34 @@ def means_run(
         t_s=frozen(missing),
         meta={"records": ", ".join(one.record for one in means)},
     )
+
+
+def position_of(text: str) -> tuple[str, float]:
+    """Mount and angle of the head, deg, of ``X_from:90``.
+
+    Raises
+    ------
+    FormatError
+        It is no position.
+    """
+    mount, colon, angle = text.strip().rpartition(":")
+    if not colon:
+        raise FormatError("means", f"{text!r} is no position; write X_from:90")
+    return mount, number_of(angle)
+
+
+def number_of(text: str) -> float:
+    """A number with either decimal mark and either minus sign.
+
+    Raises
+    ------
+    FormatError
+        It is no number.
+    """
+    try:
+        return float(text.strip().replace(",", ".").replace("\N{MINUS SIGN}", "-"))
+    except ValueError:
+        raise FormatError("means", f"{text!r} is no number") from None
 
 
 def _one_cell(text: str) -> str:

@@ -10,7 +10,7 @@ from pathlib import Path
 
 from core.errors import FormatError
 from core.records.cvgcom_name import CvgcomName
-from core.records.means import RecordMean, means_run, write_means
+from core.records.means import RecordMean, means_run, number_of, position_of, write_means
 from core.records.run_file import write_run
 from drivers.records import open_record, record_means, records_in
 from gui.commands.answer import Answer
@@ -42,8 +42,8 @@ def run(args: argparse.Namespace) -> Answer:
             means_run(
                 means,
                 args.device or _device(means),
-                rates_dps=[_number(text) for text in _list(args.rates)],
-                positions=[_position(text) for text in _list(args.positions)],
+                rates_dps=[number_of(text) for text in _list(args.rates)],
+                positions=[position_of(text) for text in _list(args.positions)],
             ),
             args.run,
         )
@@ -61,25 +61,11 @@ def _list(text: str | None) -> list[str]:
     return [part.strip() for part in text.split(",")] if text else []
 
 
-def _number(text: str) -> float:
-    try:
-        return float(text)
-    except ValueError:
-        raise FormatError("arguments", f"{text!r} is no number") from None
-
-
 def _pair(text: str) -> tuple[float, float]:
     start, colon, stop = text.partition(":")
     if not colon:
         raise FormatError("arguments", f"{text!r} is no interval; write 10:70")
-    return _number(start), _number(stop)
-
-
-def _position(text: str) -> tuple[str, float]:
-    mount, colon, angle = text.rpartition(":")
-    if not colon:
-        raise FormatError("arguments", f"{text!r} is no position; write X_from:90")
-    return mount, _number(angle)
+    return number_of(start), number_of(stop)
 
 
 def _plain(one: RecordMean) -> dict[str, object]:

@@ -1,95 +1,28 @@
-"""Samples of stretches as CSV or MATLAB files, charts as pictures; a name proposed and editable."""
+"""Samples, means and charts into files: in a worker but for pictures, which are painted."""
 
-import io
 from collections.abc import Callable
 from pathlib import Path
 
-import numpy as np
 from PySide6.QtCore import QObject, QSize, Signal
 
-from core.arrays import FloatArray, IntArray
 from core.errors import LabError, Severity
-from core.records.atomic import write_bytes_atomic
 from core.records.means import NAME, TABLE, RecordMean, write_means
-from core.samples.block import Channel
 from gui.jobs import Jobs
+from gui.live.sample_files import FORMATS
+from gui.live.trace import Excerpt
 from gui.messages import Messages
 from gui.widgets.chart_export import Paint, save_chart
 from gui.widgets.states import BannerState
 
 SOURCE = "export"
 PICTURES = {"svg": "Charts, SVG", "png": "Charts, PNG", "pdf": "Charts, PDF"}
-_BATCH = 2000
-
-
-def csv_bytes(
-    channels: tuple[Channel, ...],
-    index: IntArray,
-    data: FloatArray,
-    rate: float,
-    separator: str = ",",
-    decimal: str = ".",
-) -> bytes:
-    """Number, time and channels of each sample, with a head of names and units."""
-    names = [f"{c.name} [{c.unit}]" if c.unit else c.name for c in channels]
-    out = io.StringIO()
-    out.write(separator.join(["index", "t [s]", *names]) + "\r\n")
-    t = (index - index[0]) / rate if len(index) else np.empty(0)
-    row = separator.join(["%d", "%.6f", *["%.9g"] * len(channels)]) + "\r\n"
-    for begin in range(0, len(index), _BATCH):
-        part = slice(begin, begin + _BATCH)
-        block = np.column_stack([index[part], t[part], data[part]])
-        text = row * len(block) % tuple(block.ravel().tolist())
-        out.write(text if decimal == "." else text.replace(".", decimal))
-    # Spreadsheets of computers with decimal commas take UTF-8 without a mark for CP1251.
-    return out.getvalue().encode("utf-8" if decimal == "." else "utf-8-sig")
-
-
-def excel_bytes(
-    channels: tuple[Channel, ...], index: IntArray, data: FloatArray, rate: float
-) -> bytes:
-    """The same with semicolons and decimal commas."""
-    return csv_bytes(channels, index, data, rate, ";", ",")
-
-
-def mat_bytes(
-    channels: tuple[Channel, ...], index: IntArray, data: FloatArray, rate: float
-) -> bytes:
-    """A MATLAB file (version 5) with a structure ``record``: index, t, data, names, units, rate."""
-    from scipy.io import savemat
-
-    names, units = np.empty(len(channels), dtype=object), np.empty(len(channels), dtype=object)
-    names[:] = [channel.name for channel in channels]
-    units[:] = [channel.unit for channel in channels]
-    t = (index - index[0]) / rate if len(index) else np.empty(0)
-    record = {
-        "index": index[:, None],
-        "t": t[:, None],
-        "data": data,
-        "names": names,
-        "units": units,
-        "rate": rate,
-    }
-    out = io.BytesIO()
-    savemat(out, {"record": record})  # pyright: ignore[reportArgumentType]
-    return out.getvalue()
-
-
-FORMATS: dict[
-    str, tuple[str, str, Callable[[tuple[Channel, ...], IntArray, FloatArray, float], bytes]]
-] = {
-    "csv": ("CSV (1.5, …)", ".csv", csv_bytes),
-    "excel": ("CSV (1,5; …)", ".csv", excel_bytes),
-    "mat": ("MATLAB", ".mat", mat_bytes),
-}
-"""Title, suffix and writer of each format of samples."""
 
 
 class Exporting(QObject):
     """Writes files in a worker; pictures at once, since they are painted."""
 
-    averaged = Signal(object)
-    """List of `RecordMean`."""
+    averaged = Signal(object, object)
+    """List of `RecordMean`, and the folder where their files stand."""
 
     def __init__(self, jobs: Jobs, messages: Messages, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -109,16 +42,14 @@ class Exporting(QObject):
         self,
         key: str,
         path: Path,
-        channels: tuple[Channel, ...],
-        samples: tuple[IntArray, FloatArray],
-        rate: float,
+        excerpt: Excerpt,
     ) -> None:
         """Write samples."""
         write = FORMATS[key][2]
-        index, data = samples
 
         def work() -> Path:
-            write_bytes_atomic(path, write(channels, index, data, rate))
+            path.parent.mkdir(parents=True, exist_ok=True)
+            write(excerpt, path)
             return path
 
         self._jobs.start("export", work, self._on_done, self._on_failed)
@@ -126,10 +57,11 @@ class Exporting(QObject):
     def means(self, make: Callable[[], list[RecordMean]], folder: Path) -> None:
         """Average in a worker, and write ``means.dat`` and ``means.csv``."""
 
-        def work() -> list[RecordMean]:
+        def work() -> tuple[list[RecordMean], Path]:
             found = make()
+            folder.mkdir(parents=True, exist_ok=True)
             write_means(found, folder)
-            return found
+            return found, folder
 
         self._jobs.start("means", work, self._on_means, self._on_failed)
 
@@ -142,11 +74,14 @@ class Exporting(QObject):
         else:
             self._on_done(path)
 
-    def _on_means(self, found: object) -> None:
+    def _on_means(self, result: object) -> None:
+        if not isinstance(result, tuple):
+            raise TypeError(f"{type(result).__name__} are no means")
+        found, folder = result
         self._messages.show(
-            SOURCE, BannerState(Severity.INFO, "Averaged", f"{NAME} and {TABLE} stand beside it.")
+            SOURCE, BannerState(Severity.INFO, f"{NAME} and {TABLE} written", str(folder))
         )
-        self.averaged.emit(found)
+        self.averaged.emit(found, folder)
 
     def _on_done(self, path: object) -> None:
         self._messages.show(SOURCE, BannerState(Severity.INFO, "Exported", str(path)))

@@ -1,12 +1,11 @@
-"""Statistics between the cursors, and means of intervals and records, as tables."""
+"""Statistics between the cursors as a table."""
 
 import math
 
 from PySide6.QtCore import QCoreApplication
 
-from core.records.means import RecordMean
 from gui.live.trace import Trace
-from gui.widgets.number_text import decimals_of, fixed, significant, value_and_uncertainty
+from gui.widgets.number_text import decimals_of, fixed, significant
 from gui.widgets.states import TableState
 
 _DIGITS, _FEW = 8, 4
@@ -30,7 +29,7 @@ def cursor_table(trace: Trace, shown: list[int], a: float | None, b: float | Non
     )
     if a is None or b is None:
         hint = _say("Click into the charts for cursor A, Shift+click for B.")
-        return TableState(_say("Between the cursors"), hint, header, (), 2)
+        return TableState("", hint, (), ())
     start, stop = sorted((a, b))
     history = trace.history
     first, end = history.number(start), history.number(stop) + 1
@@ -55,22 +54,6 @@ def cursor_table(trace: Trace, shown: list[int], a: float | None, b: float | Non
         )
     times = f"A = {fixed(a, 3)} s   B = {fixed(b, 3)} s   B − A = {fixed(b - a, 3)} s"
     return TableState(_say("Between the cursors"), times, header, tuple(rows), 2)
-
-
-def mean_table(means: list[RecordMean]) -> TableState:
-    """Means of records or intervals with their standard errors."""
-    channels = max((one.channels for one in means), key=len, default=())
-    header = (_say("Record"), "n", *(f"{c.name}, {c.unit}".rstrip(", ") for c in channels))
-    rows: list[tuple[str, ...]] = []
-    for one in means:
-        cells = [
-            " ± ".join(value_and_uncertainty(float(mean), float(se)))
-            for mean, se in zip(one.mean, one.se, strict=True)
-        ]
-        cells += [""] * (len(channels) - len(cells))
-        rows.append((one.record, str(one.n), *cells))
-    equation = _say("mean ± its standard error, which respects correlated noise")
-    return TableState(_say("Means"), equation, header, tuple(rows), 1)
 
 
 def _level(value: float, sigma: float) -> str:

@@ -1,11 +1,13 @@
 """The record on the disk: started, stopped, resumed, discarded."""
 
+import math
+import time
 from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
-from core.errors import FormatError, LabError, StorageError
+from core.errors import FormatError, LabError, Severity, StorageError
 from core.records.cvgcom import CvgcomHead
 from core.records.cvgcom_name import SUFFIX as TEXT_SUFFIX
 from core.records.cvgcom_name import folder_of, next_name
@@ -17,10 +19,13 @@ from drivers.recording import SUFFIX
 from gui.devices.link import Link
 from gui.jobs import Jobs
 from gui.live.settings import LiveSettings
+from gui.live.space import enough, growth, lasting, room, warning
 from gui.messages import Messages
 
 DISCARDED = "discarded"
 SOURCE = "record"
+DISK = "disk"
+_LOOK_S = 5.0
 
 
 class Keeper(QObject):
@@ -51,6 +56,10 @@ class Keeper(QObject):
         self.link: Link | None = None
         self._files: tuple[Path, ...] = ()
         self._told = ""
+        self._growth = 0.0
+        self._looked = -math.inf
+        self.lasting = ""
+        """How long the disk lasts while recording, in words."""
 
     @property
     def recording(self) -> bool:
@@ -80,10 +89,13 @@ class Keeper(QObject):
         Raises
         ------
         StorageError
-            A file exists or cannot be made.
+            A file exists or cannot be made, or the disk is full within a minute.
         """
         self.end()
         folder = self.folder(serial)
+        self._growth = growth(link, channels, settings)
+        enough(room(folder, self._growth))
+        self._looked = -math.inf
         try:
             folder.mkdir(parents=True, exist_ok=True)
         except OSError as error:
@@ -136,6 +148,7 @@ class Keeper(QObject):
             self.link.tap(None)
         self.recorder.end()
         self.recorder, self.link = None, None
+        self._messages.clear(DISK)
 
     def close(self) -> None:
         """End the record and wait for it."""
@@ -159,10 +172,12 @@ class Keeper(QObject):
             self.recorder.mark(number, note)
 
     def watch(self) -> None:
-        """Tell of a disk that refuses; what was written stays readable."""
+        """Tell of a disk that refuses or will; what was written stays readable."""
         recorder = self.recorder
         if recorder is None:
+            self.lasting = ""
             return
+        self._look_at_disk(recorder.path.parent)
         error = recorder.error or recorder.text_error
         told = "" if error is None else str(error)
         if told == self._told:
@@ -173,6 +188,23 @@ class Keeper(QObject):
         else:
             what = "Samples are not recorded" if recorder.error else "CVGCom's file ends here"
             self._messages.tell_error(SOURCE, what, error)
+
+    def _look_at_disk(self, folder: Path) -> None:
+        now = time.monotonic()
+        if now - self._looked < _LOOK_S:
+            return
+        self._looked = now
+        try:
+            left = room(folder, self._growth)
+        except StorageError as error:
+            self._messages.log(Severity.WARNING, str(error), DISK)
+            return
+        self.lasting = lasting(left.seconds)
+        banner = warning(left) if self.recording else None
+        if banner is None:
+            self._messages.clear(DISK)
+        else:
+            self._messages.show(DISK, banner)
 
     def _on_done(self, name: object) -> None:
         self.discarded.emit(str(name))

@@ -7,8 +7,9 @@ from PySide6.QtCore import QObject, Signal
 from core.records.means import RecordMean, mean_of
 from drivers.records import open_record, record_means, records_in
 from gui.live.exporting import Exporting
-from gui.live.figures import cursor_table, mean_table
+from gui.live.figures import cursor_table
 from gui.live.keeper import Keeper
+from gui.live.means import Means
 from gui.live.trace import Trace
 from gui.widgets.states import TableState
 
@@ -20,13 +21,23 @@ class Measures(QObject):
     ----------
     keeper : knows where records stand
     exporting : writes files
+    means : shows what was averaged
     """
 
     changed = Signal()
     """The table, the cursors or the intervals are others."""
+    averaged = Signal()
+    """There are other means."""
 
-    def __init__(self, keeper: Keeper, exporting: Exporting, parent: QObject | None = None) -> None:
+    def __init__(
+        self,
+        keeper: Keeper,
+        exporting: Exporting,
+        means: Means,
+        parent: QObject | None = None,
+    ) -> None:
         super().__init__(parent)
+        self._means = means
         self._keeper = keeper
         self._exporting = exporting
         self.trace: Trace | None = None
@@ -76,18 +87,17 @@ class Measures(QObject):
         if trace is None or not trace.history.end:
             return
         stretches = trace.chosen(*self.cursors)
-        parts = [(*trace.samples([part]), part) for part in stretches]
         name, channels, rate = trace.name or "live", trace.channels, trace.history.rate
+        names = [f"{name}[{start:.3f}..{stop:.3f}]" for start, stop in stretches]
+        excerpts = [trace.excerpt([part]) for part in stretches]
 
         def make() -> list[RecordMean]:
             return [
-                mean_of(f"{name}[{part[0]:.3f}..{part[1]:.3f}]", channels, index, data, rate)
-                for index, data, part in parts
+                mean_of(label, channels, *excerpt.samples(), rate)
+                for label, excerpt in zip(names, excerpts, strict=True)
             ]
 
-        folder = self._keeper.folder(self._serial)
-        folder.mkdir(parents=True, exist_ok=True)
-        self._exporting.means(make, folder)
+        self._exporting.means(make, self._keeper.folder(self._serial))
 
     def average_folder(self, folder: Path) -> None:
         """Means of every record of a folder."""
@@ -109,13 +119,11 @@ class Measures(QObject):
         if self.trace is None or not name.strip():
             return
         path = self._keeper.folder(self._serial) / Path(name.strip()).expanduser()
-        path.parent.mkdir(parents=True, exist_ok=True)
-        samples = self.trace.samples(self.trace.chosen(*self.cursors))
-        self._exporting.samples(key, path, self.trace.channels, samples, self.trace.history.rate)
+        self._exporting.samples(key, path, self.trace.excerpt(self.trace.chosen(*self.cursors)))
 
-    def _on_averaged(self, means: list[RecordMean]) -> None:
-        self.table = mean_table(means)
-        self.changed.emit()
+    def _on_averaged(self, means: list[RecordMean], folder: Path) -> None:
+        self._means.take(means, folder, self._serial)
+        self.averaged.emit()
 
     def _retable(self) -> None:
         if self.trace is None:

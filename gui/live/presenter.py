@@ -160,6 +160,7 @@ class LivePresenter(QObject):
             now.bad_values - before.bad_values,
             now.lost - before.lost,
             stored,
+            self._keeper.lasting,
         )
 
     def _rows(self) -> tuple[ChannelRow, ...]:

@@ -78,6 +78,7 @@ class LiveStatus:
     cep, cwv : frames with a bad checksum, with impossible values
     lost : samples that never came
     stored : bytes of the record on the disk
+    lasting : how long the disk lasts, in words; empty where nothing is recorded
     """
 
     port: str = ""
@@ -88,3 +89,4 @@ class LiveStatus:
     cwv: int = 0
     lost: int = 0
     stored: int = 0
+    lasting: str = ""

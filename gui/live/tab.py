@@ -1,11 +1,15 @@
 """The Live tab put together."""
 
+from pathlib import Path
+
 from PySide6.QtCore import QObject
 
 from core.plans.plan import Plan, Step
 from gui.live.exporting import Exporting
+from gui.live.interrupted import Interrupted
 from gui.live.keeper import Keeper
 from gui.live.loading import Loading
+from gui.live.means import Means
 from gui.live.measures import Measures
 from gui.live.presenter import LivePresenter
 from gui.live.state import Phase
@@ -22,7 +26,9 @@ class LiveTab(QObject):
         self.keeper = Keeper(services.root, jobs, messages, self)
         self.loading = Loading(jobs, messages, self)
         self.exporting = Exporting(jobs, messages, self)
-        self.measures = Measures(self.keeper, self.exporting, self)
+        self.means = Means(messages, self)
+        self.measures = Measures(self.keeper, self.exporting, self.means, self)
+        self._root = services.root
         self.presenter = LivePresenter(
             services.connection,
             self.keeper,
@@ -32,7 +38,9 @@ class LiveTab(QObject):
             services.settings,
             self,
         )
-        self.view = LiveView(self.presenter, self.exporting)
+        self.interrupted = Interrupted(jobs, messages, services.settings, self)
+        self.interrupted.chosen.connect(self._on_interrupted)
+        self.view = LiveView(self.presenter, self.exporting, self.means)
 
     @property
     def widget(self) -> LiveView:
@@ -40,7 +48,12 @@ class LiveTab(QObject):
         return self.view
 
     def after_paint(self) -> None:
-        """Nothing here is slow."""
+        """Look for records that a crash interrupted."""
+        self.interrupted.look(self._root())
+
+    def _on_interrupted(self, path: Path) -> None:
+        self.presenter.load(path)
+        self.view.come_to_front()
 
     def why_busy(self) -> str:
         """Why the ports cannot be let go of."""

@@ -1,9 +1,9 @@
-"""What concerns the display alone: points, decimation; and means of a folder."""
+"""What concerns the display alone: points, decimation."""
 
 from dataclasses import replace
 
 from PySide6.QtCore import QEvent, Signal
-from PySide6.QtWidgets import QFormLayout, QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QFormLayout, QLabel, QWidget
 
 from gui.live.settings import LiveSettings
 from gui.widgets.fields import NumberField
@@ -14,22 +14,18 @@ class ToolsView(QWidget):
 
     edited = Signal(object)
     """`LiveSettings`."""
-    means_wanted = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._settings = LiveSettings()
         self.points, self.decimation = NumberField(100, 1e9), NumberField(1, 1e6)
         self._points_label, self._decimation_label = QLabel(), QLabel()
-        self.means = QPushButton()
         form = QFormLayout(self)
         form.setContentsMargins(0, 0, 0, 0)
         form.addRow(self._points_label, self.points)
         form.addRow(self._decimation_label, self.decimation)
-        form.addRow(self.means)
         self.points.valueChanged.connect(self._on_edited)
         self.decimation.valueChanged.connect(self._on_edited)
-        self.means.clicked.connect(self.means_wanted)
         self._retranslate()
 
     def render(self, settings: LiveSettings) -> None:
@@ -61,4 +57,3 @@ class ToolsView(QWidget):
         self._decimation_label.setText(self.tr("Decimation (table)"))
         self.points.setToolTip(self.tr("Display only: the record is never decimated"))
         self.decimation.setToolTip(self.points.toolTip())
-        self.means.setText(self.tr("Means of a folder…"))

@@ -1,5 +1,6 @@
 """The samples on the screen: live, of the running record, or of one from the disk."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -13,6 +14,7 @@ from gui.widgets.strip_view import Interval, Mark
 WATCH_S = 600.0
 """What is only watched is forgotten after so long."""
 _KEPT_S = 60.0
+_PIECE = 1 << 16
 
 
 @dataclass(slots=True)
@@ -79,17 +81,14 @@ class Trace:
             return [(min(a, b), max(a, b))]
         return [(0.0, self.seconds)]
 
-    def samples(self, stretches: list[tuple[float, float]]) -> tuple[IntArray, FloatArray]:
-        """Samples of stretches of time, s: numbers (n,), data (n, c)."""
+    def excerpt(self, stretches: list[tuple[float, float]]) -> "Excerpt":
+        """Samples of stretches of time, s, as they are now."""
         history = self.history
-        parts = [
-            history.samples(history.number(start), history.number(stop))
+        ranges = (
+            (history.number(start), min(history.end, history.number(stop)))
             for start, stop in stretches
-        ]
-        return (
-            np.concatenate([index for index, _ in parts]),
-            np.concatenate([data for _, data in parts]),
         )
+        return Excerpt(history, tuple(ranges))
 
     def select_all(self, on: bool) -> None:
         """Select every interval, or none; without any, select everything as one."""
@@ -102,6 +101,47 @@ class Trace:
         start, stop = max(0.0, start), min(self.seconds, stop)
         if stop > start:
             self.intervals.append(Interval(start, stop, f"{len(self.intervals) + 1}", True))
+
+
+@dataclass(frozen=True, slots=True)
+class Excerpt:
+    """Stretches of a history that a worker may read while the history grows.
+
+    Parameters
+    ----------
+    history : the samples; what has been appended never changes
+    ranges : numbers of the first sample and after the last one of each stretch
+    """
+
+    history: History
+    ranges: tuple[tuple[int, int], ...]
+
+    @property
+    def first(self) -> int:
+        """Number of the first sample, from which times are counted."""
+        return self.ranges[0][0] if self.ranges else 0
+
+    @property
+    def count(self) -> int:
+        """Most samples that can be in it."""
+        return sum(max(0, stop - start) for start, stop in self.ranges)
+
+    def pieces(self) -> Iterator[tuple[IntArray, FloatArray]]:
+        """Numbers (n,) and data (n, c), in pieces of bounded size."""
+        for start, stop in self.ranges:
+            for begin in range(start, stop, _PIECE):
+                yield self.history.samples(begin, min(begin + _PIECE, stop))
+
+    def samples(self) -> tuple[IntArray, FloatArray]:
+        """All at once: numbers (n,), data (n, c)."""
+        index = np.empty(self.count, dtype=np.int64)
+        data = np.empty((self.count, len(self.history.channels)))
+        place = 0
+        for numbers, values in self.pieces():
+            end = place + len(numbers)
+            index[place:end], data[place:end] = numbers, values
+            place = end
+        return index[:place], data[:place]
 
 
 def trace_of(record: Recording) -> Trace:

@@ -21,6 +21,8 @@ from PySide6.QtWidgets import (
 
 from gui.live.charts_view import ChartsView
 from gui.live.exporting import PICTURES, Exporting
+from gui.live.means import Means, MeansState
+from gui.live.means_view import MeansView
 from gui.live.presenter import LivePresenter
 from gui.live.settings_view import SettingsView
 from gui.live.state import LiveState, LiveStatus
@@ -34,6 +36,8 @@ from gui.widgets.theme import current_theme
 
 FRAME_MS = 33
 _SLOW_EVERY = 8
+_ANY_HEIGHT = 16_777_215
+"""Qt's own for no limit."""
 
 
 class LiveView(QWidget):
@@ -43,18 +47,25 @@ class LiveView(QWidget):
     ----------
     presenter : what clicks call, and what is rendered
     exporting : knows the formats, draws the pictures
+    means : what the page Means shows
     """
 
     def __init__(
-        self, presenter: LivePresenter, exporting: Exporting, parent: QWidget | None = None
+        self,
+        presenter: LivePresenter,
+        exporting: Exporting,
+        means: Means,
+        parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
         self._presenter = presenter
         self._exporting = exporting
+        self._means = means
         self.settings = SettingsView()
         self.tools = ToolsView()
         self.charts = ChartsView()
         self.table = SampleTable()
+        self.means = MeansView()
         self.pages = QTabWidget()
         self.statistics = ResultTable()
         self.action_bar = ActionBar()
@@ -84,6 +95,7 @@ class LiveView(QWidget):
         self.status.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.pages.addTab(self.charts, "")
         self.pages.addTab(self.table, "")
+        self.pages.addTab(self.means, "")
         self.pages.setDocumentMode(True)
         scroll = QScrollArea()
         scroll.setWidget(self.statistics)
@@ -95,7 +107,8 @@ class LiveView(QWidget):
         self._stack.addWidget(scroll)
         self._stack.setStretchFactor(0, 1)
         self._stack.setChildrenCollapsible(False)
-        self._stack.setSizes([40 * unit, 9 * unit])
+        self._panes = [40 * unit, 9 * unit]
+        self._scroll = scroll
         row = QHBoxLayout(self.export_row)
         row.setContentsMargins(0, 0, 0, 0)
         row.addWidget(self.format)
@@ -131,12 +144,18 @@ class LiveView(QWidget):
         presenter, measures = self._presenter, self._presenter.measures
         presenter.changed.connect(self.render)
         presenter.trace_changed.connect(self._on_trace)
+        measures.averaged.connect(self._show_means)
         self.action_bar.triggered.connect(self._on_action)
         for panel in (self.settings, self.tools):
             panel.edited.connect(presenter.set_settings)
         self.settings.file_named.connect(presenter.set_file)
         self.settings.channel_shown.connect(presenter.show_channel)
-        self.tools.means_wanted.connect(self._on_folder)
+        self.means.folder_wanted.connect(self._on_folder)
+        self.means.selection_wanted.connect(measures.average)
+        self.means.kind_chosen.connect(self._means.set_kind)
+        self.means.given.connect(self._means.give)
+        self.means.handed_over.connect(self._means.hand_over)
+        self._means.changed.connect(self._on_means)
         self.charts.tail_set.connect(self.tools.set_tail)
         self.charts.marked.connect(presenter.mark)
         self.charts.edit.connect(self._on_edit)
@@ -165,9 +184,25 @@ class LiveView(QWidget):
         if key != self._table_key:
             self._table_key = key
             self.table.take(self._presenter.trace, shown, state.settings.decimation)
-        self.statistics.render(state.statistics)
+        self._render_statistics(state)
         self.action_bar.render(state.actions)
 
+    def _render_statistics(self, state: LiveState) -> None:
+        """The charts have all the room until there is something between the cursors."""
+        filled = bool(state.statistics.rows)
+        if filled != self._filled:
+            sizes = self._stack.sizes()
+            if self._filled:
+                self._panes = sizes
+            self._filled = filled
+            unit = self.fontMetrics().height()
+            self._scroll.setMinimumHeight((6 if filled else 1) * unit)
+            self._scroll.setMaximumHeight(_ANY_HEIGHT if filled else 2 * unit)
+            if filled:
+                self._stack.setSizes(self._panes)
+        self.statistics.render(state.statistics)
+
+    _filled: bool | None = None
     _table_key: tuple[int, tuple[int, ...], int] = (0, (), 0)
 
     def _on_trace(self) -> None:
@@ -201,6 +236,8 @@ class LiveView(QWidget):
         ]
         if status.stored:
             parts.append(self.tr("on disk {mb} MB").format(mb=f"{status.stored / 1e6:.1f}"))
+        if status.lasting:
+            parts.append(self.tr("disk lasts {time}").format(time=status.lasting))
         text = "  ·  ".join(part for part in parts if part)
         self.status.setText(text)
         self.status.setToolTip(text)
@@ -236,6 +273,13 @@ class LiveView(QWidget):
 
     def _on_page(self) -> None:
         self.table.refresh()
+        self._scroll.setVisible(self.pages.currentWidget() is not self.means)
+
+    def _show_means(self) -> None:
+        self.pages.setCurrentWidget(self.means)
+
+    def _on_means(self, state: MeansState) -> None:
+        self.means.render(state)
 
     def _on_format(self) -> None:
         measures = self._presenter.measures
@@ -269,6 +313,14 @@ class LiveView(QWidget):
         self._dialog = dialog
         dialog.show()
 
+    def come_to_front(self) -> None:
+        """Show this tab instead of the one that is shown."""
+        parent = self.parentWidget()
+        while parent is not None and not isinstance(parent, QTabWidget):
+            parent = parent.parentWidget()
+        if parent is not None:
+            parent.setCurrentWidget(self)
+
     def choose(self, name: str) -> None:
         """Take a file or folder that was chosen."""
         path = Path(name)
@@ -292,6 +344,7 @@ class LiveView(QWidget):
     def _retranslate(self) -> None:
         self.pages.setTabText(0, self.tr("Charts"))
         self.pages.setTabText(1, self.tr("Table"))
+        self.pages.setTabText(2, self.tr("Means"))
         self.export_button.setText(self.tr("Save"))
         self.format.setAccessibleName(self.tr("Format"))
         self.export_name.setAccessibleName(self.tr("File to save"))

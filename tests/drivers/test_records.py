@@ -6,7 +6,7 @@ from core.errors import FormatError
 from core.records.cvgcom import CvgcomFile, CvgcomHead, channel_of
 from core.records.cvgcom_writer import write_cvgcom
 from drivers.recording import Gap
-from drivers.records import open_record, record_means, records_in
+from drivers.records import open_record, record_means, records_in, was_ended
 from tests.drivers.test_recorder import block, recorder
 
 CHANNELS = (channel_of("GyroOut"), channel_of("Temperature"))
@@ -47,3 +47,18 @@ def test_a_folder_without_records_is_refused(tmp_path):
         records_in(tmp_path)
     with pytest.raises(FormatError, match="cannot be read"):
         records_in(tmp_path / "nowhere")
+
+
+def test_a_record_that_was_cut_off_was_not_ended(tmp_path):
+    path = tmp_path / "a.calrec"
+    writer = recorder(path)
+    writer.say(block(0, 10))
+    assert writer.flush()
+    assert not was_ended(path)
+    writer.close()
+    assert was_ended(path)
+    path.write_bytes(path.read_bytes()[:-3])
+    assert not was_ended(path)
+    (tmp_path / "b.calrec").write_bytes(b"x")
+    with pytest.raises(FormatError):
+        was_ended(tmp_path / "b.calrec")

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from core.errors import StorageError
-from core.records.atomic import append_durable, write_bytes_atomic, write_text_atomic
+from core.records.atomic import append_durable, atomic_file, write_bytes_atomic, write_text_atomic
 
 
 def test_a_file_is_replaced_whole(tmp_path):
@@ -14,6 +14,20 @@ def test_a_file_is_replaced_whole(tmp_path):
     write_text_atomic(path, "one\r\n")
     write_text_atomic(path, "їєґ\n")
     assert path.read_bytes() == "їєґ\n".encode()
+    assert list(tmp_path.iterdir()) == [path]
+
+
+def test_a_file_in_pieces_is_there_whole_or_not_at_all(tmp_path):
+    path = tmp_path / "a.csv"
+    with atomic_file(path) as file:
+        file.write(b"one")
+        assert not path.exists()
+        file.write(b"two")
+    assert path.read_bytes() == b"onetwo"
+    with pytest.raises(ZeroDivisionError), atomic_file(path) as file:
+        file.write(b"half")
+        raise ZeroDivisionError
+    assert path.read_bytes() == b"onetwo"
     assert list(tmp_path.iterdir()) == [path]
 
 

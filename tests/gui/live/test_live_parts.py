@@ -4,13 +4,14 @@ import numpy as np
 import pytest
 
 from core.arrays import frozen, frozen_int
+from core.errors import FormatError
 from core.samples.block import Channel, SampleBlock
-from gui.live.exporting import csv_bytes, excel_bytes, mat_bytes
 from gui.live.figures import cursor_table
+from gui.live.sample_files import write_csv, write_excel, write_mat
 from gui.live.scene import actions
 from gui.live.settings import LiveSettings, settings_of
 from gui.live.state import Phase
-from gui.live.trace import WATCH_S, Trace
+from gui.live.trace import WATCH_S, Excerpt, Trace
 from gui.widgets.history import History
 
 TWO = (Channel("a", "V"), Channel("b"))
@@ -37,7 +38,7 @@ def test_only_samples_of_the_record_are_taken():
     made = Trace(History(TWO, 100.0), "r")
     made.feed(block(0, 100), first=40, stop=90)
     made.feed(block(80, 40), first=40, stop=110)
-    assert made.samples([(0.0, 9.0)])[0].tolist() == list(range(40, 110))
+    assert made.excerpt([(0.0, 9.0)]).samples()[0].tolist() == list(range(40, 110))
 
 
 def test_what_is_only_watched_is_shortened_and_a_record_never():
@@ -70,16 +71,17 @@ def test_slope_and_extremes_between_cursors():
     assert float(row[8]) == 50.0
 
 
-def test_csv_comes_back_in_both_locales():
-    index, data = trace().samples([(0.0, 0.03)])
-    plain = csv_bytes(TWO, index, data, 100.0).decode("utf-8").splitlines()
-    assert plain == [
+def test_csv_comes_back_in_both_locales(tmp_path):
+    excerpt = trace().excerpt([(0.0, 0.03)])
+    write_csv(excerpt, tmp_path / "plain.csv")
+    assert (tmp_path / "plain.csv").read_text("utf-8").splitlines() == [
         "index,t [s],a [V],b [code]",
         "5000,0.000000,2500,-5000",
         "5001,0.010000,2500.5,-5001",
         "5002,0.020000,2501,-5002",
     ]
-    other = excel_bytes(TWO, index, data, 100.0)
+    write_excel(excerpt, tmp_path / "other.csv")
+    other = (tmp_path / "other.csv").read_bytes()
     assert other.startswith(b"\xef\xbb\xbf")
     assert other.decode("utf-8-sig").splitlines()[2] == "5001;0,010000;2500,5;-5001"
 
@@ -87,12 +89,29 @@ def test_csv_comes_back_in_both_locales():
 def test_matlab_has_names_times_and_samples(tmp_path):
     from scipy.io import loadmat
 
-    index, data = trace().samples([(0.0, 0.03)])
-    (tmp_path / "r.mat").write_bytes(mat_bytes(TWO, index, data, 100.0))
+    excerpt = trace().excerpt([(0.0, 0.03)])
+    write_mat(excerpt, tmp_path / "r.mat")
     record = loadmat(tmp_path / "r.mat", squeeze_me=True)["record"]
-    assert np.array_equal(record["data"].item(), data)
+    assert np.array_equal(record["data"].item(), excerpt.samples()[1])
     assert record["t"].item() == pytest.approx([0.0, 0.01, 0.02])
     assert record["names"].item().tolist() == ["a", "b"]
+
+
+def test_more_than_matlab_holds_is_refused(tmp_path):
+    huge = Excerpt(trace().history, ((0, 200_000_000),))
+    with pytest.raises(FormatError, match="2 GB"):
+        write_mat(huge, tmp_path / "r.mat")
+
+
+def test_an_excerpt_stays_as_it_was_and_comes_in_bounded_pieces():
+    made = trace(count=150_000)
+    excerpt = made.excerpt([(0.0, 1e9), (1.0, 2.0)])
+    made.feed(block(155_000, 5000))
+    parts = list(excerpt.pieces())
+    assert max(len(index) for index, _ in parts) <= 1 << 16
+    index, data = excerpt.samples()
+    assert index.tolist() == [*range(5000, 155_000), *range(5100, 5200)]
+    assert np.array_equal(data[:, 0], 0.5 * index)
 
 
 @pytest.mark.parametrize(

@@ -69,7 +69,7 @@ def test_an_hour_goes_from_the_port_to_the_comparison(
     assert isinstance(allan, AllanTab)
 
     live.measures.average_folder(paths[0].parent)
-    qtbot.waitUntil(lambda: live.presenter.state.statistics.title == "Means", timeout=20_000)
+    qtbot.waitUntil(lambda: len(live.means.state.rows) == 1, timeout=20_000)
     (mean,) = read_means(paths[0].parent / "means.dat")
     column = read_recording(paths[0]).column(0)
     assert mean.mean[0] == pytest.approx(float(np.mean(column)), abs=1e-9)
