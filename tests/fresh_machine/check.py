@@ -25,7 +25,7 @@ INHERITED = (
     "etc/apt/apt.conf.d",
     "etc/pip.conf",
     "root/.config/pip",
-    "etc/ssl/certs",
+    "etc/ssl/certs/ca-certificates.crt",
     "etc/resolv.conf",
     "etc/hosts",
 )
