@@ -7,6 +7,8 @@ main_window       device strip, tabs, banner, log, the rig's dock
 commands          the subcommands of ``calrig``; no Qt
 measuring         step by step through a plan: what all measuring tabs share
 dividing_head     accelerometers on the dividing head: ClbAcc and Pointer
+drift             turn-ons in, a table for the microcontroller out
+rate_table        gyros on the rate table and on the head: ClbDUS
 live              watching and recording: CVGCom
 rig               the dock of the simulated rig
 services          what every tab is given

@@ -29,8 +29,10 @@ if TYPE_CHECKING:
 
 TABS: dict[str, str] = {
     "Dividing head": "gui.dividing_head.tab",
+    "Rate table": "gui.rate_table.tab",
     "Live": "gui.live.tab",
     "Allan": "gui.allan.tab",
+    "Drift": "gui.drift.tab",
     "Methods": "gui.methods.tab",
 }
 """Every tab of the window: its title and the module that makes it."""

@@ -17,17 +17,13 @@ from core.procedures.drift.compensate import DriftResult, compensate
 from core.procedures.drift.curves import Curves, curves_of
 from core.procedures.drift.export import c_header, document
 from core.procedures.drift.held_out import residuals_of
-from core.procedures.drift.turn_on import TurnOn, turn_ons_of
+from core.procedures.drift.turn_on import TurnOn
 from core.records.atomic import write_text_atomic
-from core.records.open import read_any
-from core.records.run_head import is_run_file
-from core.records.series_run import turn_on_of
 from core.version import SOFTWARE
-from drivers.series import read_series
 from gui.commands.answer import Answer
 from gui.commands.fitted import note_lines
+from gui.drift.reading import How, read_turn_ons
 
-_HEAD = 4096
 _WORDS = {
     "none": "no correction",
     "cubic": "cubic in time",
@@ -83,7 +79,10 @@ def run(args: argparse.Namespace) -> Answer:
     if args.ambient and len(args.ambient) != len(args.file):
         raise FitError(f"{len(args.ambient)} temperatures for {len(args.file)} files")
     ambients = args.ambient or [np.nan] * len(args.file)
-    made = [_read(path, ambient, args) for path, ambient in zip(args.file, ambients, strict=True)]
+    how = How(args.channel, args.temperature, args.rate, args.scale_factor)
+    made = [
+        read_turn_ons(path, how, ambient) for path, ambient in zip(args.file, ambients, strict=True)
+    ]
     units = {unit for _, unit in made}
     if len(units) > 1:
         raise FitError(f"turn-ons in {', '.join(sorted(units))}; one unit is needed")
@@ -98,7 +97,7 @@ def run(args: argparse.Namespace) -> Answer:
     data = document(result, provenance)
     lines = _report(result)
     if args.unseen:
-        others = [one for path in args.unseen for one in _read(path, np.nan, args)[0]]
+        others = [one for path in args.unseen for one in read_turn_ons(path, how)[0]]
         left = residuals_of(result.table, _curves(others, args))
         data["unseen_rms"] = float(np.sqrt(np.mean(left**2)))
         lines.append(f"  on {len(left)} other turn-ons it leaves {data['unseen_rms']:.4g}")
@@ -116,28 +115,6 @@ def _curves(turn_ons: list[TurnOn], args: argparse.Namespace) -> Curves:
         block_s=args.block,
         horizon_s=args.horizon,
     )
-
-
-def _read(path: Path, ambient_c: float, args: argparse.Namespace) -> tuple[tuple[TurnOn, ...], str]:
-    with path.open("rb") as file:
-        head = file.read(_HEAD).decode("utf-8-sig", errors="replace")
-    if not is_run_file(head):
-        one, unit = turn_on_of(
-            read_series(path),
-            args.channel,
-            args.temperature,
-            ambient_c=ambient_c,
-            rate=args.rate,
-            scale_factor=args.scale_factor,
-        )
-        return (one,), unit
-    run = read_any(path)
-    if run.test != "record":
-        raise FitError(f"{path}: holds a test {run.test!r}, no record since switching on")
-    if args.channel and args.channel not in run.channels:
-        raise FitError(f"{path}: no output {args.channel!r}; there are: {', '.join(run.channels)}")
-    place = run.channels.index(args.channel) if args.channel else 0
-    return turn_ons_of(run, place), run.unit
 
 
 def _report(result: DriftResult) -> list[str]:

@@ -18,6 +18,7 @@ stage             the line that is read from three metres, with its picture
 progress_ring     share and seconds left
 pose_geometry     where the case axes point in the picture
 position_picture  how the unit stands on the dividing head
+table_picture     how the rate table turns
 step_list         the steps of a plan
 action_bar        the row of actions and its keys
 toggle            a switch
@@ -43,6 +44,7 @@ strip_charts      the widget that tabs use
 Results and analysis
 
 ================  ==================================================================
+records_page      frame of an analysis of several records: list, picture, findings
 analysis_page     frame of an analysis page: picture, findings, actions
 noise_fields      N, B and K of a sensor, typed or from a record
 findings_view     tables, doubts, and what can be exported: the right-hand side

@@ -102,7 +102,7 @@ def compensate(
     places = optimal_knots(curves.t, mean, chosen)[-1]
     table = with_knots(curves, unit, refine(curves.t, mean, knot_times(curves, places)))
     methods = method_scores(curves, chosen)
-    notes += _doubts(curves, methods)
+    notes += _doubts(curves, methods, unit)
     notes += _plateaus(curves, table)
     return DriftResult(curves, table, limit, scores, methods, tuple(notes))
 
@@ -160,7 +160,13 @@ def moved(result: DriftResult, times_s: FloatArray | Sequence[float]) -> DriftRe
         score_of_knots(result.curves, table.times_s) if one.method == "table" else one
         for one in result.methods
     )
-    return replace(result, table=table, methods=methods)
+    by_hand = Note(
+        Severity.INFO,
+        "moved_knots",
+        "the knots were moved by hand: the score of this table takes them as given, that of the"
+        " optimal table also holds what searching them without the held-out turn-on costs",
+    )
+    return replace(result, table=table, methods=methods, notes=(*result.notes, by_hand))
 
 
 def cost_of(curves: Curves, table: DriftTable) -> float:
@@ -169,7 +175,7 @@ def cost_of(curves: Curves, table: DriftTable) -> float:
     return float(np.sqrt(np.mean(left**2)))
 
 
-def _doubts(curves: Curves, methods: tuple[MethodScore, ...]) -> list[Note]:
+def _doubts(curves: Curves, methods: tuple[MethodScore, ...], unit: str) -> list[Note]:
     notes: list[Note] = []
     by_name = {score.method: score.rms for score in methods}
     if not by_name:
@@ -181,9 +187,9 @@ def _doubts(curves: Curves, methods: tuple[MethodScore, ...]) -> list[Note]:
             Note(
                 Severity.INFO,
                 "alignment_noise",
-                f"the start is aligned by a mean over {window:g} s, whose noise of {u:.3g} is a"
-                f" large part of the {by_name['table']:.3g} that the table leaves; a longer window"
-                " would help more than more knots",
+                f"the start is aligned by a mean over {window:g} s, whose noise of {u:.3g} {unit}"
+                f" is a large part of the {by_name['table']:.3g} {unit} that the table leaves; a"
+                " longer window would help more than more knots",
             )
         )
     if by_name["table"] > by_name["none"]:
@@ -191,8 +197,8 @@ def _doubts(curves: Curves, methods: tuple[MethodScore, ...]) -> list[Note]:
             Note(
                 Severity.WARNING,
                 "no_gain",
-                f"on turn-ons that it has not seen the table leaves {by_name['table']:.3g}, no"
-                f" correction {by_name['none']:.3g}: the drift does not repeat, do not use it",
+                f"on turn-ons that it has not seen the table leaves {by_name['table']:.3g} {unit},"
+                f" no correction {by_name['none']:.3g}: the drift does not repeat, do not use it",
             )
         )
     return notes

@@ -193,6 +193,30 @@ def _score(curves: Curves, method: str, fit: Fit, knots: int) -> MethodScore:
         )
 
 
+def node_scores(curves: Curves, times_s: FloatArray) -> FloatArray:
+    """What is left (m,) at each temperature if its own node were missing, rms.
+
+    Parameters
+    ----------
+    times_s : (p,) knots
+
+    Returns
+    -------
+    NaN at the outermost temperatures, which nothing can replace
+        The values are interpolated between the neighbours; the measure of whether the
+        temperatures are near enough to each other.
+    """
+    values = curves.mean @ projector(curves.t, times_s).T
+    basis, nodes = hat_basis(curves.t, times_s), curves.temperatures_c
+    left = np.full(len(nodes), np.nan)
+    for at in range(1, len(nodes) - 1):
+        share = (nodes[at] - nodes[at - 1]) / (nodes[at + 1] - nodes[at - 1])
+        between = (1.0 - share) * values[at - 1] + share * values[at + 1]
+        away: FloatArray = curves.y[curves.place == at] - basis @ between
+        left[at] = float(np.sqrt(np.mean(away**2)))
+    return left
+
+
 def residuals_of(table: DriftTable, curves: Curves) -> FloatArray:
     """What a table leaves (r, k) of other turn-ons.
 

@@ -83,6 +83,7 @@ def test_dragged_knots_cost_more(sharp: Curves):
     assert worse.table.times_s[3] == dragged[3]
     assert worse.score("table").rms > result.score("table").rms
     assert worse.score("quartic") is result.score("quartic")
+    assert worse.notes[-1].subject == "moved_knots"
     with pytest.raises(FitError, match="ascending order"):
         with_knots(sharp, "deg/s", [2.0, 50.0, 40.0, 120.0])
     with pytest.raises(FitError, match="nearer to each other than a block"):

@@ -1,5 +1,7 @@
 """Residuals on turn-ons that a method has not seen; the number of knots that they ask for."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -13,6 +15,7 @@ from core.procedures.drift.held_out import (
     fewest_knots,
     knot_scores,
     method_scores,
+    node_scores,
     residuals_of,
     score_of_knots,
 )
@@ -76,3 +79,27 @@ def test_a_table_is_tried_on_other_turn_ons(sharp: Curves, unseen: Curves, make_
     assert np.sqrt(np.mean(left**2)) < 0.2 * np.sqrt(np.mean(unseen.y**2))
     with pytest.raises(FitError, match="outside the measured"):
         residuals_of(table, curves_of(make_turn_ons(4, 2, np.array([75.0]))))
+
+
+def test_a_missing_temperature_is_replaced_by_its_neighbours(sharp: Curves):
+    times = compensate(sharp, "deg/s", knots=10).table.times_s
+    left = node_scores(sharp, times)
+    assert np.isnan(left[[0, -1]]).all()
+    by_temperature = method_scores(sharp, 10)[0].by_temperature
+    assert np.all(left[1:-1] < 0.2 * by_temperature[1:-1])
+    halved = curves_of_every_second(sharp)
+    assert np.nanmean(node_scores(halved, times)) > np.nanmean(left)
+
+
+def curves_of_every_second(curves: Curves) -> Curves:
+    """Without every second temperature, so that gaps are twice as wide."""
+    kept = curves.place % 2 == 0
+    return replace(
+        curves,
+        y=curves.y[kept],
+        place=curves.place[kept] // 2,
+        labels=tuple(np.array(curves.labels)[kept]),
+        start_c=curves.start_c[kept],
+        chip_c=curves.chip_c[::2],
+        temperatures_c=curves.temperatures_c[::2],
+    )
