@@ -1,6 +1,6 @@
 """The window: device strip, tabs, banner, log; the rig's dock at the right."""
 
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
 from PySide6.QtCore import QEvent, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QActionGroup, QCloseEvent, QKeySequence, QPaintEvent, QShortcut
@@ -50,6 +50,15 @@ class Tab(Protocol):
 
     def close(self) -> None:
         """The window closes: end what runs, keep what was measured."""
+        ...
+
+
+@runtime_checkable
+class PlanTab(Protocol):
+    """A tab that measures by plans."""
+
+    def open_plan(self, plan: "Plan") -> bool:
+        """Take a plan; False if its test is another one, or something is being measured."""
         ...
 
 
@@ -225,6 +234,11 @@ class MainWindow(QMainWindow):
                     "Space accumulates. Backspace repeats the last position. Delete discards."
                     " Ctrl+Z takes back. Esc stops. Arrows and Enter, or 1 to 9, pick a position."
                     " Ctrl+H hands-free. Ctrl+O loads, F5 processes, Ctrl+E exports. Ctrl+L log."
+                    "\nLive: Space starts the record, Esc stops it, Ctrl+R resumes, Enter in Note"
+                    " marks. A and B set the cursors, C clears them. Home shows everything, End"
+                    " follows. Ctrl+wheel scales a channel. F6 live view."
+                    "\nAllan: Space starts the live curve, F5 analyses its recording. Left and Right"
+                    " move the cursor, Home shows everything, Delete removes the record."
                     " Ctrl+D shows ADC data."
                 ),
             ),

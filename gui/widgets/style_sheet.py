@@ -15,6 +15,7 @@ QPushButton {{
 }}
 QPushButton:hover {{ border-color: {muted}; }}
 QPushButton:pressed, QPushButton:checked {{ background: {pressed}; }}
+QPushButton:checked {{ border-color: {accent}; color: {accent}; }}
 QPushButton:focus {{ border-color: {accent}; }}
 QPushButton:disabled {{ background: {window}; color: {disabled}; border-color: {pressed}; }}
 QPushButton[primary="true"] {{
