@@ -1,5 +1,6 @@
 """What the index holds of a file."""
 
+import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 from datetime import datetime
@@ -7,6 +8,7 @@ from datetime import datetime
 import numpy as np
 
 from core.errors import Note, Severity
+from core.fit.estimate import Estimate
 
 KINDS = ("session", "calibration", "run", "legacy", "record", "means", "noise")
 """What can stand in an archive, in the order in which it is listed."""
@@ -24,6 +26,7 @@ class Quantity:
     name, symbol, unit : of the parameter
     value : estimate
     u : standard uncertainty; NaN where none is known
+    dof : degrees of freedom of `u`; inf where it is as good as known
     """
 
     channel: str
@@ -32,6 +35,11 @@ class Quantity:
     unit: str
     value: float
     u: float
+    dof: float = math.inf
+
+    def expanded(self, level: float = 0.95) -> float:
+        """Half width of the two-sided coverage interval; NaN without an uncertainty."""
+        return Estimate(self.value, self.u, self.dof, self.unit).expanded(level)
 
 
 @dataclass(frozen=True, slots=True)

@@ -184,12 +184,13 @@ def read_calibration_entry(path: Path) -> tuple[Found, ...]:
 def quantities_of(calibration: Calibration) -> tuple[Quantity, ...]:
     """All parameters of all sensors."""
     return tuple(
-        Quantity(channel, parameter.name, parameter.symbol, parameter.unit, value, u)
+        Quantity(channel, parameter.name, parameter.symbol, parameter.unit, value, u, dof)
         for channel, fit in zip(calibration.channels, calibration.fits, strict=True)
-        for parameter, value, u in zip(
+        for parameter, value, u, dof in zip(
             fit.parameters,
             fit.values.tolist(),
             fit.stderr.tolist(),
+            fit.t_dof.tolist(),
             strict=True,
         )
     )

@@ -68,7 +68,9 @@ def search(connection: Connection, wanted: Wanted, limit: int) -> Hits:
     rows = rows.mappings().all()
     total = len(rows)
     if total == limit:
-        total = connection.execute(select(func.count()).where(found)).scalar_one()
+        total = connection.execute(
+            select(func.count()).select_from(ENTRIES).where(found)
+        ).scalar_one()
     return Hits(tuple(map(entry_of, rows)), total)
 
 
@@ -89,7 +91,7 @@ def readings(
 ) -> tuple[Reading, ...]:
     """Return every value of a quantity of a device, the earliest first."""
     query: Select[Any] = (
-        select(ENTRIES, _Q.channel, _Q.name, _Q.symbol, _Q.unit, _Q.value, _Q.u)
+        select(ENTRIES, _Q.channel, _Q.name, _Q.symbol, _Q.unit, _Q.value, _Q.u, _Q.dof)
         .join(QUANTITIES, _Q.entry == _E.id)
         .where(_E.serial == serial, _Q.name == name, _Q.channel == channel)
         .order_by(_E.measured, _E.id)
@@ -117,6 +119,7 @@ def quantity_of(row: RowMapping) -> Quantity:
     return Quantity(
         **{name: row[name] for name in ("channel", "name", "symbol", "unit", "value")},
         u=math.nan if row["u"] is None else row["u"],
+        dof=math.inf if row["dof"] is None else row["dof"],
     )
 
 
@@ -164,6 +167,7 @@ def _quantity_row(number: int, rank: int, quantity: Quantity) -> dict[str, Any]:
         "rank": rank,
         "value": quantity.value,
         "u": _finite(quantity.u),
+        "dof": _finite(quantity.dof),
     }
 
 

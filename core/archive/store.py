@@ -61,7 +61,7 @@ class Archive:
 
     def __init__(self, root: Path, url: str = "", more: Mapping[str, Reader] | None = None) -> None:
         self.place: Place = place_of(root)
-        self._more = more or {}
+        self.more: Mapping[str, Reader] = more or {}
         self._database: Database = open_database(self.place, url)
 
     def __enter__(self) -> "Archive":
@@ -157,7 +157,7 @@ class Archive:
 
     def _found(self, path: str) -> tuple[Found, ...]:
         try:
-            return read_file(self.place.root / path, self._more)
+            return read_file(self.place.root / path, self.more)
         except (FormatError, OSError):
             # It went away or may not be read; the next look tells.
             return ()

@@ -16,8 +16,15 @@ from sqlalchemy import (
     UniqueConstraint,
 )
 
-VERSION = 1
-MIGRATIONS: Mapping[int, tuple[str, ...]] = {}
+VERSION = 2
+MIGRATIONS: Mapping[int, tuple[str, ...]] = {
+    # Degrees of freedom of uncertainties; the files that have them are read again.
+    1: (
+        "ALTER TABLE archive_quantities ADD COLUMN dof FLOAT",
+        "UPDATE archive_entries SET signature = '' WHERE kind IN ('calibration', 'noise')",
+        "UPDATE archive_folders SET mtime = 0",
+    ),
+}
 """By the version that they lead from: statements that make the next one of it."""
 
 TABLES = MetaData()
@@ -93,5 +100,6 @@ QUANTITIES = Table(
     Column("unit", Text, nullable=False),
     Column("value", Float, nullable=False),
     Column("u", Float),
+    Column("dof", Float),
     Column("rank", Integer, nullable=False),
 )
