@@ -42,7 +42,9 @@ def record_of(plan: Plan, rng: np.random.Generator, coloured: bool = False) -> R
     t, step = plan.time, plan.accumulation
     hours = t / 3600.0
     warmth = 24.0 + rng.uniform(3.0, 7.0) * (1.0 - np.exp(-t / rng.uniform(300.0, 1200.0)))
-    warmth += rng.uniform(0.5, 2.0) * np.sin(2 * np.pi * hours * rng.uniform(0.8, 1.6) + rng.uniform(0, 6))
+    warmth += rng.uniform(0.5, 2.0) * np.sin(
+        2 * np.pi * hours * rng.uniform(0.8, 1.6) + rng.uniform(0, 6)
+    )
     warmth += wander(t, 0.1, 600.0, rng)
     core = lagged(warmth, rng.uniform(60.0, 240.0), step)
     aux = {
@@ -245,4 +247,3 @@ def natural(name: str, rng: np.random.Generator) -> Hidden:
         "quantization": Hidden(rng.uniform(1.5, 3.0)),
     }
     return sizes.get(name, Hidden(1.0))
-

@@ -37,9 +37,7 @@ def draw(world: World, effects: Effects, rng: np.random.Generator) -> Weather:
     return Weather(angle, drift)
 
 
-def prolonged(
-    world: World, effects: Effects, before: Weather, rng: np.random.Generator
-) -> Weather:
+def prolonged(world: World, effects: Effects, before: Weather, rng: np.random.Generator) -> Weather:
     """The weather of a longer run that begins as `before`; marks keep their errors."""
     new, old = draw(world, effects, rng), len(before.angle)
     mark = marks(world, effects)

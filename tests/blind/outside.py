@@ -65,9 +65,7 @@ def rate_terms(rate: np.ndarray) -> dict[str, Term]:
 def record_terms(t: np.ndarray, warmth: np.ndarray) -> dict[str, Term]:
     hours = t / 3600.0
     return {
-        "temperature_kink": lambda h: np.maximum(
-            warmth - np.quantile(warmth, h["share"]), 0.0
-        ),
+        "temperature_kink": lambda h: np.maximum(warmth - np.quantile(warmth, h["share"]), 0.0),
         "chirp": lambda h: np.sin(2 * np.pi * (h["cycles"] * hours + h["sweep"] * hours**2)),
         "sawtooth": lambda h: (h["cycles"] * hours + h["start"]) % 1.0,
         "visit": lambda h: np.exp(-0.5 * ((hours - h["at"]) / h["width"]) ** 2),

@@ -72,6 +72,8 @@ def head_plans() -> dict[str, list[Sweep]]:
             ("X_from@90", around(22.5)),
         ],
         "A48x1": [(m, around(15.0)) for m in ("X_from", "Y_from")],
+        "A8": [(m, list(CARDINAL)) for m in ("X_from", "Y_from")],
+        "A48s": [("X_from", around(15.0))] * 2,
         "A400": [("X_from", around(4.5)) for _ in range(5)],
     }
 
@@ -92,9 +94,7 @@ STATIC: dict[str, list[Sweep]] = {
     "C4": [("X_from", list(CARDINAL))],
     "C8": [("X_from", list(CARDINAL)), ("Y_from", list(CARDINAL))],
     "C8b": [("X_from", [0.0, 90.0, 180.0, 270.0, 0.0, 270.0, 180.0, 90.0])],
-    "C16": [
-        (m, [0.0, 90.0, 180.0, 270.0, 0.0, 270.0, 180.0, 90.0]) for m in ("X_from", "X_to")
-    ],
+    "C16": [(m, [0.0, 90.0, 180.0, 270.0, 0.0, 270.0, 180.0, 90.0]) for m in ("X_from", "X_to")],
 }
 HEAD_NAMES = tuple(head_plans())
 RATE_NAMES = ("B11x3", "B11x1", "B84", "B84r")

@@ -163,3 +163,25 @@ def mimics(glass: Glass, target: np.ndarray, own: str, leave: float = CLASS) -> 
         for name, kind in others
         if name != own and not kind.natural and nearest(glass, target, name, kind) <= leave
     ]
+
+
+def left_over(glass: Glass, target: np.ndarray, names: list[str]) -> float:
+    """Sigmas of a visible change that the best mixture of several names leaves."""
+    possible = kinds.testable(glass.world)
+    families = [
+        [glass.seen(block) for block in blocks(glass, name, possible[name])]
+        for name in names
+        if name in possible and not possible[name].natural
+    ]
+    chosen = [family[0] for family in families]
+    best = float(np.linalg.norm(target))
+    for _ in range(3):
+        for slot, family in enumerate(families):
+            others = chosen[:slot] + chosen[slot + 1 :]
+            rests = []
+            for block in family:
+                basis = orthonormal(np.hstack([block, *others]))
+                rests.append(float(np.linalg.norm(target - basis @ (basis.T @ target))))
+            chosen[slot] = family[int(np.argmin(rests))]
+            best = min(best, *rests)
+    return best

@@ -1,0 +1,100 @@
+"""Which cases make the benchmark."""
+
+from tests.blind.cases import Spec
+from tests.blind.effects import HIDDEN
+from tests.blind.long_record import FAULTS, NATURAL, SLOW
+from tests.blind.outside import OUTSIDE
+from tests.blind.plans import STATIC
+
+PLANS = {
+    "dividing_head": ("A24", "A8x3", "A48x1", "A104", "A192", "A80"),
+    "rate_table": ("B11x1", "B11x3", "B84", "B84r"),
+    "static_positions": tuple(STATIC),
+    "record": ("D1h",),
+}
+RICH = ("A80", "A104", "A192", "B84", "B84r", "D1h")
+SPARSE = ("A8", "A48s")
+"""Plans whose answers are tied: what to measure next is asked here."""
+LASTING = (
+    "second_order_nonlinearity third_order_nonlinearity odd_quadratic_nonlinearity"
+    " cross_axis_nonlinearity cross_coupling scale_factor_asymmetry saturation head_eccentricity"
+    " head_ellipticity settling_lag hysteresis"
+).split()
+LAMBDAS = (8.0, 12.0, 20.0)
+FULL = {"clean": 200, "coloured": 80, "single": 4, "several": 50, "outside": 12, "fault": 8,
+        "advice": 6, "long": 6}  # fmt: skip
+
+
+def seeds(plan: str, kind: str, effect: str = "", lam: float = 0.0) -> int:
+    """A seed of its own for each cell, the same on every machine."""
+    text = f"{plan}/{kind}/{effect}/{lam:g}"
+    return int.from_bytes(text.encode(), "big") % (2**61 - 1)
+
+
+def cell(plan: str, kind: str, count: int, effect: str = "", lam: float = 12.0) -> list[Spec]:
+    first = seeds(plan, kind, effect, lam)
+    return [Spec(plan, kind, lam, first + i, effect) for i in range(count)]
+
+
+def is_natural(test: str, name: str) -> bool:
+    return name in NATURAL if test == "record" else HIDDEN[test][name].natural
+
+
+def names_of(test: str) -> list[str]:
+    return [*SLOW, "pickup", *NATURAL] if test == "record" else list(HIDDEN[test])
+
+
+def plan_cells(test: str, plan: str, counts: dict[str, int]) -> dict[str, list[Spec]]:
+    """Groups of cases of one plan."""
+    groups: dict[str, list[Spec]] = {
+        "clean": cell(plan, "none", counts["clean"]),
+        "coloured": cell(plan, "coloured", counts["coloured"]),
+        "single": [],
+        "fault": [],
+        "outside": [],
+    }
+    for name in names_of(test):
+        if is_natural(test, name):
+            groups["fault"] += cell(plan, "fault", counts["fault"], name)
+        else:
+            for lam in LAMBDAS:
+                groups["single"] += cell(plan, "single", counts["single"], name, lam)
+    for name in OUTSIDE[test]:
+        for lam in (12.0, 20.0):
+            groups["outside"] += cell(plan, "outside", counts["outside"], name, lam)
+    for kind in ("double", "triple") if plan in RICH else ():
+        groups[kind] = [
+            spec for lam in (12.0, 20.0) for spec in cell(plan, kind, counts["several"], "", lam)
+        ]
+    return groups
+
+
+def specs(counts: dict[str, int] | None = None) -> dict[str, list[Spec]]:
+    """All cases by group."""
+    counts = counts or FULL
+    groups: dict[str, list[Spec]] = {"advice": []}
+    for test, plans in PLANS.items():
+        for plan in plans:
+            for group, some in plan_cells(test, plan, counts).items():
+                groups.setdefault(group, []).extend(some)
+    for plan in SPARSE:
+        for name in LASTING:
+            groups["advice"] += cell(plan, "single", counts["advice"], name)
+    groups["clean"] += cell("A400", "none", counts["long"])
+    groups["clean"] += cell("D1h100", "none", counts["long"])
+    for name in ("thermal_lag", "quadrature_leakage", *FAULTS):
+        groups["long"] = groups.get("long", []) + cell("D1h100", "single", 1, name, 20.0)
+    return groups
+
+
+def quick(number: int) -> dict[str, list[Spec]]:
+    """About `number` cases of each group, spread evenly over its cells."""
+    chosen = {}
+    for group, some in specs().items():
+        step = max(len(some) / number, 1.0)
+        # A golden-ratio stride meets all plans, names and sizes.
+        picks = sorted({int(i * step + (i * 0.618 % 1.0) * (step - 1)) for i in range(number)})
+        chosen[group] = [some[i] for i in picks if i < len(some)]
+    chosen["clean"] = [s for s in chosen["clean"] if s.plan != "D1h100"]
+    chosen["long"] = chosen["long"][:2]
+    return chosen
