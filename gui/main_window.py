@@ -237,7 +237,7 @@ class MainWindow(QMainWindow):
                     "\nLive: Space starts the record, Esc stops it, Ctrl+R resumes, Enter in Note"
                     " marks. A and B set the cursors, C clears them. Home shows everything, End"
                     " follows. Ctrl+wheel scales a channel. F6 live view."
-                    "\nAllan: Space starts the live curve, F5 analyses its recording. Left and Right"
+                    "\nAllan: Space starts the live curve, F5 analyses its recording. Left, Right"
                     " move the cursor, Home shows everything, Delete removes the record."
                     " Ctrl+D shows ADC data."
                 ),
