@@ -1,16 +1,17 @@
 """Errors of roll and pitch, before and after compensation: the table of source 002."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 
-from core.arrays import FloatArray, frozen
+from core.arrays import BoolArray, FloatArray, frozen
 from core.model.effect import AXES
 from core.model.stimulus import stimulus_of
 from core.plans.orientation import LEVEL, BaseOrientation
 from core.procedures.attitude import attitude
-from core.procedures.thermal.cycle import ThermalCalibration
+from core.procedures.thermal.cycle import ThermalCalibration, calibrate_thermal
+from core.procedures.thermal.plateaus import plateaus_of
 from core.procedures.triad import Triad
 from core.samples.run import Conditions, Run
 
@@ -83,6 +84,52 @@ def tilt_errors(
         u_pitch_deg=frozen(u_pitch),
         temperature_c=frozen(run.temperature_c),
     )
+
+
+def tilt_left_out(
+    run: Run,
+    calibration: ThermalCalibration,
+    conditions: Conditions,
+    base: BaseOrientation = LEVEL,
+) -> tuple[TiltErrors, BoolArray]:
+    """Errors of roll and pitch where each inner temperature is corrected by the others.
+
+    Parameters
+    ----------
+    run : that `calibration` was made from
+
+    Returns
+    -------
+    errors : (n,) of all rows
+    unseen : (n,) rows whose temperature was left out of what corrects them; the outermost
+        temperatures are not, since nothing may be extrapolated
+
+    Raises
+    ------
+    FitError
+        The sensors are no triad.
+    """
+    plateaus = plateaus_of(run.temperature_c, run.order)
+    level = np.zeros(len(run), dtype=np.int64)
+    for plateau in plateaus:
+        level[plateau.rows] = plateau.level
+    parts = [np.isin(level, [0, level.max()])]
+    found = [tilt_errors(run.rows(np.flatnonzero(parts[0])), calibration, conditions, base)]
+    for at in range(1, int(level.max())):
+        held = level == at
+        others = run.rows(np.flatnonzero(~held))
+        by_them = calibrate_thermal(
+            others, conditions, base=base, reference_c=calibration.reference_c
+        )
+        parts.append(held)
+        found.append(tilt_errors(run.rows(np.flatnonzero(held)), by_them, conditions, base))
+    rows = np.concatenate([np.flatnonzero(part) for part in parts])
+    back = np.argsort(rows)
+    columns = {
+        item.name: frozen(np.concatenate([getattr(one, item.name) for one in found])[back])
+        for item in fields(TiltErrors)
+    }
+    return TiltErrors(**columns), ~parts[0]
 
 
 def _triads(run: Run, calibration: Triad | ThermalCalibration) -> Callable[[int], Triad]:

@@ -8,7 +8,7 @@ import pytest
 from core.errors import FitError
 from core.procedures.dividing_head import calibrate
 from core.procedures.thermal.cycle import calibrate_thermal
-from core.procedures.thermal.tilt import tilt_errors
+from core.procedures.thermal.tilt import tilt_errors, tilt_left_out
 from core.samples.run import Conditions
 
 CASE = Conditions(g_mps2=9.8106)
@@ -42,3 +42,16 @@ def test_a_temperature_that_was_not_measured_is_refused(make_chamber):
     hotter = replace(make_chamber(temperatures=(27.0,)), temperature_c=np.full(8, 95.0))
     with pytest.raises(FitError, match="leaves the measured"):
         tilt_errors(hotter, over, CASE)
+
+
+def test_a_temperature_left_out_is_corrected_by_the_others(make_chamber):
+    run, case = make_chamber(), Conditions(g_mps2=9.8106)
+    found = calibrate_thermal(run, case)
+    errors, unseen = tilt_left_out(run, found, case)
+    assert errors.temperature_c.tolist() == run.temperature_c.tolist()
+    outermost = (run.temperature_c < -35.0) | (run.temperature_c > 65.0)
+    assert unseen.tolist() == (~outermost).tolist()
+    within = tilt_errors(run, found, case)
+    assert errors.pitch_error_deg[outermost] == pytest.approx(within.pitch_error_deg[outermost])
+    assert not np.allclose(errors.pitch_error_deg[unseen], within.pitch_error_deg[unseen])
+    assert errors.worst_deg < 0.1
