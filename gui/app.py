@@ -16,7 +16,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 from core.errors import FormatError, LabError, Severity
 from gui.garbage import Collector
 from gui.jobs import Jobs
-from gui.main_window import LOOKS, MainWindow, Tab, TabModule
+from gui.main_window import LOOKS, MainWindow, PlanTab, Tab, TabModule
 from gui.messages import Messages
 from gui.settings import Settings, text_of
 from gui.widgets.sound import Cue, Sounds
@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 TABS: dict[str, str] = {
     "Dividing head": "gui.dividing_head.tab",
     "Rate table": "gui.rate_table.tab",
+    "Accuracy": "gui.accuracy.tab",
     "Live": "gui.live.tab",
     "Allan": "gui.allan.tab",
     "Drift": "gui.drift.tab",
@@ -154,6 +155,7 @@ class Application(QObject):
             self._profiles,
             lambda: self._root,
             self._play,
+            self._open_plan,
         )
         for place, title in enumerate(TABS):
             module = cast("TabModule", importlib.import_module(TABS[title]))
@@ -239,6 +241,14 @@ class Application(QObject):
     def _play(self, cue: str) -> None:
         if not self._options.quiet:
             self.sounds.play(_CUES[cue])
+
+    def _open_plan(self, plan: "Plan") -> bool:
+        """Hand a plan to the tab that measures it, and show that tab."""
+        for tab in self.tabs.values():
+            if isinstance(tab, PlanTab) and tab.open_plan(plan):
+                self.window.tabs.setCurrentWidget(tab.widget)
+                return True
+        return False
 
     def _wanted(self) -> "tuple[Plan, Step] | None":
         widget = self.window.tabs.currentWidget()

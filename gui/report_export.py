@@ -1,7 +1,7 @@
 """Export of an analysis page: its tables, its numbers, its pictures."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -33,14 +33,14 @@ class Report:
     stem : begin of the file name, e.g. method and device
     tables : as they stand on the page
     data : the results themselves, for JSON
-    paint, size : the picture
+    paint, size : the picture; None where the page has none
     """
 
     stem: str
     tables: tuple[TableState, ...]
     data: Mapping[str, object]
-    paint: "Paint"
-    size: QSize
+    paint: "Paint | None" = None
+    size: QSize = field(default_factory=QSize)
 
 
 class ReportExport(QObject):
@@ -66,18 +66,19 @@ class ReportExport(QObject):
         self._messages = messages
         self._view: FindingsView | None = None
 
-    def serve(self, view: FindingsView) -> None:
+    def serve(self, view: FindingsView, *, pictures: bool = True) -> None:
         """Offer the formats on a panel, and write what it asks for."""
         self._view = view
-        view.set_formats(
-            (
-                ("csv", QCoreApplication.translate("ReportExport", "Tables, CSV")),
-                ("json", QCoreApplication.translate("ReportExport", "Results, JSON")),
-                ("svg", QCoreApplication.translate("ReportExport", "Picture, SVG")),
-                ("png", QCoreApplication.translate("ReportExport", "Picture, PNG")),
-                ("pdf", QCoreApplication.translate("ReportExport", "Picture, PDF")),
-            )
+        numbers = (
+            ("csv", QCoreApplication.translate("ReportExport", "Tables, CSV")),
+            ("json", QCoreApplication.translate("ReportExport", "Results, JSON")),
         )
+        drawn = (
+            ("svg", QCoreApplication.translate("ReportExport", "Picture, SVG")),
+            ("png", QCoreApplication.translate("ReportExport", "Picture, PNG")),
+            ("pdf", QCoreApplication.translate("ReportExport", "Picture, PDF")),
+        )
+        view.set_formats((*numbers, *drawn) if pictures else numbers)
         view.format_chosen.connect(self.propose)
         view.export_requested.connect(self.export)
 
@@ -120,7 +121,7 @@ def _write(report: Report, key: str, path: Path) -> None:
         write_text_atomic(path, "\n".join(parts))
     elif key == "json":
         write_text_atomic(path, to_json(report.data))
-    else:
+    elif report.paint is not None:
         from gui.widgets.chart_export import save_chart
 
         save_chart(report.paint, report.size, path, report.stem)

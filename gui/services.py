@@ -4,11 +4,17 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from core.plans.plan import Plan
 from drivers.profile import Profile
 from gui.devices.connection import Connection
 from gui.jobs import Jobs
 from gui.messages import Messages
 from gui.settings import Settings
+
+
+def _no_tab(_: Plan) -> bool:
+    """No tab takes plans."""
+    return False
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,6 +30,8 @@ class Services:
     profiles : returns the device files by id
     root : returns the folder of all sessions
     play : the loudspeaker: ``"start"``, ``"done"`` or ``"error"``
+    open_plan : hands a plan to the tab that measures it and shows that tab; returns whether one
+        took it
     """
 
     connection: Connection
@@ -33,3 +41,4 @@ class Services:
     profiles: Callable[[], Mapping[str, Profile]]
     root: Callable[[], Path]
     play: Callable[[str], None]
+    open_plan: Callable[[Plan], bool] = _no_tab

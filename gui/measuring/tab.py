@@ -1,6 +1,6 @@
 """A measuring tab put together."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, Generic
 
@@ -22,6 +22,9 @@ from gui.measuring.sitting import Sitting
 from gui.measuring.taking import Taking
 from gui.measuring.view import MeasuringView
 from gui.services import Services
+
+OWN_PLANS = "plans"
+"""Folder of the user's own plans, under that of all sessions."""
 
 
 class MeasuringTab(Generic[S], QObject):
@@ -49,7 +52,7 @@ class MeasuringTab(Generic[S], QObject):
         super().__init__()
         self._services = services
         self.guide = guide
-        plans = plans_of(guide.tests)
+        plans = self._plans = plans_of(guide.tests, services.root() / OWN_PLANS)
         settings = guide.settings_of(services.settings.section(guide.key))
         plan = plans.get(settings.plan_id) or next(iter(plans.values()))
         messages = services.messages
@@ -110,6 +113,14 @@ class MeasuringTab(Generic[S], QObject):
             return None
         return self.sitting.plan, status.step
 
+    def open_plan(self, plan: Plan) -> bool:
+        """Take a plan; False if its test is another one, or a session holds the plan."""
+        if plan.test not in self.guide.tests or self.presenter.state.locked.plan:
+            return False
+        self._plans[plan.id] = plan
+        self.presenter.set_plan(plan.id)
+        return True
+
     def close(self) -> None:
         """Leave the session on the disk, to be continued."""
         self.taking.stop()
@@ -165,6 +176,17 @@ class MeasuringTab(Generic[S], QObject):
         self.view.results.show_name(key, self.exporting.propose(key))
 
 
-def plans_of(tests: Sequence[str]) -> Mapping[str, Plan]:
-    """The plans of some tests, by their identifiers."""
-    return {key: plan for key, plan in load_plans().items() if plan.test in tests}
+def plans_of(tests: Sequence[str], own: Path | None = None) -> dict[str, Plan]:
+    """The plans of some tests, by their identifiers; a damaged one of the user takes all his away.
+
+    Parameters
+    ----------
+    tests : of `core.plans.plan.TESTS`
+    own : folder of the user's plans; None for the packaged ones alone
+    """
+    try:
+        plans = load_plans(own)
+    except LabError:
+        # The page that makes plans tells which one; measuring goes on with the packaged ones.
+        plans = load_plans()
+    return {key: plan for key, plan in plans.items() if plan.test in tests}

@@ -10,6 +10,7 @@ from gui.methods.view import MethodsView, Page
 from gui.services import Services
 
 PAGES: dict[str, str] = {
+    "advisor": "gui.advisor.page",
     "tumble": "gui.tumble.page",
     "gyrocompass": "gui.gyrocompass.page",
 }

@@ -1,0 +1,160 @@
+"""The sensor and the rig at hand."""
+
+from dataclasses import replace
+
+from PySide6.QtCore import QEvent, Signal
+from PySide6.QtWidgets import QCheckBox, QFormLayout, QLabel, QVBoxLayout, QWidget
+
+from core.procedures.prediction.bench import TOOLS
+from gui.advisor.state import AdvisorChoices, AdvisorState
+from gui.widgets.fields import ChoiceField, NumberField
+from gui.widgets.noise_fields import NoiseFields
+
+_KINDS = ("accelerometer", "gyro")
+_AXES = ("x", "y", "z")
+
+
+class AdvisorSide(QWidget):
+    """Form of `AdvisorChoices`."""
+
+    decided = Signal(object)
+    """`AdvisorChoices`."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._rendering = False
+        self._choices = AdvisorChoices()
+        self.kind, self.axis = ChoiceField(), ChoiceField()
+        self.kind.addItems([""] * len(_KINDS))
+        self.axis.addItems([axis.upper() for axis in _AXES])
+        self.noise = NoiseFields()
+        self.tools = {name: QCheckBox() for name in TOOLS}
+        self.accumulation = NumberField(0.0, 1e5, 1, "s")
+        self.pause = NumberField(0.0, 1e4, 1, "s")
+        self.g = NumberField(9.7, 9.9, 5, "m/s²")
+        self.u_g = NumberField(0.0, 0.1, 5, "m/s²")
+        self.head_u = NumberField(0.0, 3600.0, 1, "″")
+        self.rate_u = NumberField(0.0, 1e5, 1, "ppm")
+        self.latitude = NumberField(-90.0, 90.0, 3, "°")
+        self._numbers = (
+            self.accumulation,
+            self.pause,
+            self.g,
+            self.u_g,
+            self.head_u,
+            self.rate_u,
+            self.latitude,
+        )
+        unit = self.fontMetrics().height()
+        column = QVBoxLayout(self)
+        column.setContentsMargins(unit // 2, unit // 2, unit // 2, unit // 2)
+        column.setSpacing(unit // 3)
+        self._heads = [QLabel() for _ in range(2)]
+        for head in self._heads:
+            font = head.font()
+            font.setBold(True)
+            head.setFont(font)
+        self._labels = [QLabel() for _ in range(9)]
+        sensor, rig = QFormLayout(), QFormLayout()
+        for form in (sensor, rig):
+            form.setVerticalSpacing(unit // 3)
+        fields = (self.kind, self.axis, *self._numbers)
+        for place, (label, field) in enumerate(zip(self._labels, fields, strict=True)):
+            label.setBuddy(field)
+            (sensor if place < 2 else rig).addRow(label, field)
+        column.addWidget(self._heads[0])
+        column.addLayout(sensor)
+        column.addWidget(self.noise)
+        column.addWidget(self._heads[1])
+        for tool in self.tools.values():
+            column.addWidget(tool)
+            tool.toggled.connect(self._on_edited)
+        column.addLayout(rig)
+        column.addStretch(1)
+        for choice in (self.kind, self.axis):
+            choice.currentIndexChanged.connect(self._on_edited)
+        for number in self._numbers:
+            number.setMinimumWidth(6 * unit)
+            number.valueChanged.connect(self._on_edited)
+        self._rendering = True
+        self._retranslate()
+        self._rendering = False
+
+    def render(self, state: AdvisorState) -> None:
+        """Show what is decided."""
+        self._rendering = True
+        choices = self._choices = state.choices
+        self.kind.setCurrentIndex(_KINDS.index(choices.kind))
+        self.axis.setCurrentIndex(_AXES.index(choices.axis))
+        self.noise.render(choices.kind, choices.noise, choices.noise_source)
+        for name, tool in self.tools.items():
+            tool.setChecked(name in choices.tools)
+        values = (
+            choices.accumulation_s,
+            choices.pause_s,
+            choices.g_mps2,
+            choices.u_g_mps2,
+            choices.head_u_arcsec,
+            choices.rate_u_ppm,
+            choices.latitude_deg,
+        )
+        for number, value in zip(self._numbers, values, strict=True):
+            number.setValue(value)
+        self._rendering = False
+
+    def _on_edited(self, *_: object) -> None:
+        if self._rendering:
+            return
+        self.decided.emit(
+            replace(
+                self._choices,
+                kind=_KINDS[max(self.kind.currentIndex(), 0)],
+                axis=_AXES[max(self.axis.currentIndex(), 0)],
+                tools=frozenset(name for name, tool in self.tools.items() if tool.isChecked()),
+                accumulation_s=self.accumulation.value(),
+                pause_s=self.pause.value(),
+                g_mps2=self.g.value(),
+                u_g_mps2=self.u_g.value(),
+                head_u_arcsec=self.head_u.value(),
+                rate_u_ppm=self.rate_u.value(),
+                latitude_deg=self.latitude.value(),
+            )
+        )
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.LanguageChange:
+            self._retranslate()
+
+    def _retranslate(self) -> None:
+        for head, text in zip(self._heads, (self.tr("Sensor"), self.tr("Rig")), strict=True):
+            head.setText(text)
+        kinds = (self.tr("Accelerometer"), self.tr("Gyro"))
+        for place, text in enumerate(kinds):
+            self.kind.setItemText(place, text)
+        tools = {
+            "dividing head": self.tr("Dividing head"),
+            "rate table": self.tr("Rate table"),
+            "climate chamber": self.tr("Climate chamber"),
+            "level base": self.tr("Level base"),
+        }
+        for name, tool in self.tools.items():
+            tool.setText(tools[name])
+        words = (
+            (self.tr("Kind"), ""),
+            (self.tr("Axis"), self.tr("Case axis along which it looks.")),
+            (self.tr("Accumulate"), self.tr("At each position; 0 takes the time of the plan.")),
+            (self.tr("Turning"), self.tr("Time that a change of the position takes.")),
+            (self.tr("Local g"), ""),
+            (self.tr("u(g)"), self.tr("Standard uncertainty, k = 1.")),
+            (self.tr("u(head)"), self.tr("Of one setting of the dividing head.")),
+            (self.tr("u(table)"), self.tr("Of one setting of the rate table.")),
+            (self.tr("Latitude"), self.tr("North positive, south negative.")),
+        )
+        for label, (text, tip) in zip(self._labels, words, strict=True):
+            label.setText(text)
+            buddy = label.buddy()
+            if buddy is not None:
+                buddy.setAccessibleName(text)
+                buddy.setToolTip(tip)
+        self.accumulation.setSpecialValueText(self.tr("as the plan"))
