@@ -38,6 +38,7 @@ COMMANDS = {
     "allan": Entry("gui.commands.allan", "Allan deviation and noise coefficients of records"),
     "export": Entry("gui.commands.export", "write a calibration as JSON, C header, MATLAB or CSV"),
     "convert": Entry("gui.commands.convert", "convert between legacy files, run files, sessions"),
+    "archive": Entry("gui.commands.archive", "find, compare, follow everything that was measured"),
     "demo": Entry("gui.commands.demo", "measure a session in the window, by itself"),
     "means": Entry("gui.commands.means", "average the records of a folder"),
     "simulate": Entry("gui.commands.simulate", "measure a session on the simulated rig"),
