@@ -16,8 +16,8 @@ attitude
     Pitch and roll from specific force: (2.9), (2.10) in well-conditioned forms.
 rate_table
     Gyros on the rate table: scale factor and zero, (3.4) to (3.6); with `characteristic` (how
-    straight they are), `rate_faults` (what went wrong at the table), `rate_notes`, and
-    `rate_calibration` (the result for exports).
+    straight they are), `rate_faults` (what went wrong at the table), `rate_recognition` (while it
+    is measured), `rate_notes`, and `rate_calibration` (the result for exports).
 g_sensitivity, rate_and_head, two_files
     Gyros on the head, (3.7) to (3.9); the whole model (3.3) from both; (3.10) and whether its two
     files are of one unit. `earth`: when the rotation of the Earth matters.

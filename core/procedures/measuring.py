@@ -92,7 +92,8 @@ class Measuring:
     label_of : how the operator calls a step
     expectation : what the sensors should give, learning as steps are accepted
     checked : start of the role of the channels that a position is recognised by, e.g. ``"acc."``
-    accumulation_s, settle_s : seconds to accumulate, and to wait once at rest
+    accumulation_s : seconds to accumulate, of every step or as the step tells
+    settle_s : seconds to wait once at rest
     rate : samples per second
     """
 
@@ -104,7 +105,7 @@ class Measuring:
         expectation: Expectation,
         checked: str,
         *,
-        accumulation_s: float,
+        accumulation_s: float | Callable[[Step], float],
         settle_s: float,
         rate: float,
     ) -> None:
@@ -249,7 +250,9 @@ class Measuring:
         self._wait()
 
     def _begin(self) -> None:
-        self._accumulator = Accumulator(self._accumulation_s, self._rate)
+        wanted = self._accumulation_s
+        seconds = wanted(self._steps[self._place]) if callable(wanted) else wanted
+        self._accumulator = Accumulator(seconds, self._rate)
         self._phase = Phase.MEASURING
 
     def _watch(self, samples: int) -> None:

@@ -143,14 +143,14 @@ def _row_notes(
                 Severity.ERROR,
                 "wrong_rate",
                 f"row {rows[place]}, {x[place]:g} deg/s: the output{who} stands for"
-                f" {implied:.3g} deg/s; {_story(float(x[place]), implied, smallest)}."
+                f" {implied:.3g} deg/s; {story(float(x[place]), implied, smallest)}."
                 " Repeat this rate, or leave the row out",
             )
         )
     return notes
 
 
-def _story(set_rate: float, implied: float, smallest: float) -> str:
+def story(set_rate: float, implied: float, smallest: float) -> str:
     """Why an output may stand for another rate than was set."""
     ratio = implied / set_rate if set_rate else float("inf")
     if abs(set_rate) > 2 * smallest and abs(implied) < smallest:

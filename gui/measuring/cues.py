@@ -95,7 +95,7 @@ def _of_phase(status: Status, step: Step, scene: Scene) -> StageState:
     headline = words.headline(step, scene.last_mount)
     match status.phase:
         case Phase.READY:
-            then = f"Then press Space to accumulate {scene.settings.accumulation_s:g} s."
+            then = f"Then press Space to accumulate {words.time(step, scene.settings)}."
             return _still(headline, asked + then, pose, following)
         case Phase.TURN:
             return _still(headline, asked + words.by_itself, pose, following)

@@ -8,7 +8,7 @@ from core.plans.plan import Plan
 from core.procedures.measuring import Outcome
 from core.procedures.recognise import Nominal
 from core.records.session.start import SessionStart
-from core.samples.block import Channel, SampleBlock
+from core.samples.block import Channel
 from drivers.profile import Profile
 from gui.measuring.device import MeasuredDevice
 from gui.measuring.settings import MeasuringSettings
@@ -93,9 +93,6 @@ class Guide(ABC, Generic[S]):
         """The settings once another plan is taken; its times are in them already."""
         return settings
 
-    def watch(self, block: SampleBlock) -> None:
-        """See the samples of the accumulation that runs, e.g. to find faults of the rig."""
-
-    def reviewed(self, outcome: Outcome, settings: S) -> Outcome:  # noqa: ARG002
-        """The outcome with further doubts, before it is taken."""
+    def reviewed(self, outcome: Outcome, plan: Plan) -> Outcome:  # noqa: ARG002
+        """The outcome with further doubts, or in the words of the test, before it is taken."""
         return outcome

@@ -31,10 +31,12 @@ class Choice:
         )
 
 
-def load(path: Path, device: str | None, mounts: Sequence[str] | None) -> Run | Choice:
+def load(
+    path: Path, device: str | None, mounts: Sequence[str] | None, sensor: str | None = None
+) -> Run | Choice:
     """Read a session's folder, a run file or a legacy file; raises `FormatError`."""
     try:
-        return read_any(path, device=device, mounts=mounts)
+        return read_any(path, sensor=sensor, device=device, mounts=mounts)
     except FormatError:
         names = _devices_of(path) if device is None else ()
         if len(names) > 1:

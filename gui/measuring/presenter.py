@@ -125,6 +125,12 @@ class MeasuringPresenter(Generic[S], QObject):
         self._sitting.plan = plan.with_steps((*plan.steps, step))
         self._sitting.rebegin(number)
 
+    def set_steps(self, steps: tuple[Step, ...]) -> None:
+        """Measure these steps instead of those of the plan."""
+        if self._sitting.keeper.session is None and not self._sitting.walk.measuring:
+            self._sitting.plan = self._sitting.plan.with_steps(steps)
+            self._sitting.rebegin()
+
     def set_session_name(self, name: str) -> None:
         """Name the session that has not begun."""
         self._sitting.set_name(name)

@@ -155,7 +155,7 @@ class Taking(QObject):
 
     def _on_outcome(self, outcome: Outcome) -> None:
         sitting = self._sitting
-        outcome = sitting.guide.reviewed(outcome, sitting.settings)
+        outcome = sitting.guide.reviewed(outcome, sitting.plan)
         self.pending = outcome
         if outcome.acceptable:
             self._take(outcome)

@@ -27,7 +27,8 @@ class Course:
     label_of : how the operator calls a step in a sentence
     expectation : what these sensors should give
     checked : start of their roles
-    accumulation_s, settle_s : seconds to accumulate; hands-free: to wait once at rest
+    accumulation_s : seconds to accumulate, of every step or as the step tells
+    settle_s : hands-free: seconds to wait once at rest
     rate : samples per second
     hands_free : whether the program accumulates by itself
     must_move : hands-free, while nothing is known yet: wait until the rig has moved
@@ -38,7 +39,7 @@ class Course:
     label_of: Callable[[Step], str]
     expectation: Expectation
     checked: str
-    accumulation_s: float
+    accumulation_s: float | Callable[[Step], float]
     settle_s: float
     rate: float
     hands_free: bool = False

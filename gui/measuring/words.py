@@ -62,6 +62,10 @@ class Words(ABC):
             return f"Bolt the unit on anew with {self.place(step)}. "
         return f"{self.place(step)}. "
 
+    def time(self, step: Step, settings: MeasuringSettings) -> str:  # noqa: ARG002
+        """How long is accumulated."""
+        return f"{settings.accumulation_s:g} s"
+
     def all_done(self) -> str:
         """Headline at the end of the plan."""
         return f"All {self.nouns} done"

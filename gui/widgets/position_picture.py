@@ -24,6 +24,7 @@ from core.arrays import FloatArray
 from gui.widgets.colours import Theme
 from gui.widgets.pose_geometry import AxisMark, axis_marks, case_axes
 from gui.widgets.states import Pose, Tone
+from gui.widgets.table_picture import describe_table, paint_table
 from gui.widgets.theme import current_theme
 
 SMALL = 96
@@ -93,6 +94,8 @@ def angle_text(angle_deg: float) -> str:
 
 def describe(pose: Pose) -> str:
     """Return the picture in words, for the tool tip and for a screen reader."""
+    if pose.rate_dps is not None:
+        return describe_table(pose)
     parts = [pose.mount.replace("_", " "), angle_text(pose.head_deg)]
     parts += [f"{mark.name} {_direction(mark)}" for mark in axis_marks(case_axes(pose))]
     return ", ".join(parts)
@@ -123,7 +126,10 @@ def paint_pose(
     *,
     axes: FloatArray | None = None,
 ) -> None:
-    """Draw a pose into the largest square in the middle of `rect`."""
+    """Draw a pose, on the head or on the table, into the largest square amid `rect`."""
+    if pose.rate_dps is not None:
+        paint_table(painter, rect, pose, theme)
+        return
     _Drawing(painter, rect, theme).draw(pose, case_axes(pose) if axes is None else axes)
 
 

@@ -24,18 +24,20 @@ class Tone(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Pose:
-    """How the unit stands on the dividing head.
+    """How the unit stands on the dividing head, or on the rate table.
 
     Parameters
     ----------
     mount : as `core.plans.orientation.Mount` reads it, e.g. ``"X_from"``, ``"Y_to@90"``
     head_deg : angle of the dividing head
     tilt_deg : psi, theta, gamma of the tilter between plate and case
+    rate_dps : rate of the table, counter-clockwise from above; None on the head
     """
 
     mount: str
     head_deg: float
     tilt_deg: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    rate_dps: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
