@@ -16,10 +16,18 @@ RICH = ("A80", "A104", "A192", "B84", "B84r", "D1h")
 SPARSE = ("A8", "A48s")
 """Plans whose answers are tied: what to measure next is asked here."""
 LASTING = (
-    "second_order_nonlinearity third_order_nonlinearity odd_quadratic_nonlinearity"
-    " cross_axis_nonlinearity cross_coupling scale_factor_asymmetry saturation head_eccentricity"
-    " head_ellipticity settling_lag hysteresis"
-).split()
+    "second_order_nonlinearity",
+    "third_order_nonlinearity",
+    "odd_quadratic_nonlinearity",
+    "cross_axis_nonlinearity",
+    "cross_coupling",
+    "scale_factor_asymmetry",
+    "saturation",
+    "head_eccentricity",
+    "head_ellipticity",
+    "settling_lag",
+    "hysteresis",
+)
 LAMBDAS = (8.0, 12.0, 20.0)
 FULL = {"clean": 200, "coloured": 80, "single": 4, "several": 50, "outside": 12, "fault": 8,
         "advice": 6, "long": 6}  # fmt: skip

@@ -71,13 +71,13 @@ def accelerometer(world: World, effects: Effects, force: np.ndarray) -> np.ndarr
     out = force @ world.linear.T
     for channel, own in enumerate(world.axes):
         s = out[:, channel].copy()
-        others = [(own + 1) % 3, (own + 2) % 3]
+        others, products = [(own + 1) % 3, (own + 2) % 3], pairs(own)
         terms = {
             "second_order_nonlinearity": lambda h, s=s: s**2,
             "third_order_nonlinearity": lambda h, s=s: s**3,
             "odd_quadratic_nonlinearity": lambda h, s=s: s * np.abs(s),
             "cross_axis_nonlinearity": lambda h, o=others: force[:, o[h["other"]]] ** 2,
-            "cross_coupling": lambda h, p=pairs(own): np.prod(force[:, p[h["pair"]]], axis=1),
+            "cross_coupling": lambda h, p=products: np.prod(force[:, p[h["pair"]]], axis=1),
             "scale_factor_asymmetry": lambda h, s=s: 0.5 * np.abs(s),
             "bias_asymmetry": lambda h, s=s: 0.5 * np.sign(np.where(abs(s) < 1e-9, 0.0, s)),
             "hysteresis": lambda h, s=s: timeline.senses(world, s),

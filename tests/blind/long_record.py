@@ -99,10 +99,20 @@ def form(name: str, shape: dict, record: Record) -> np.ndarray:
     return outside.record_terms(t, warmth)[name](shape)
 
 
-SLOW = tuple(
-    "bias_temperature temperature_rate thermal_lag thermal_hysteresis warm_up bias_drift bias_jump"
-    " telegraph quadrature_leakage phase_error damping_anisotropy resonator_frequency"
-    " amplitude_error".split()
+SLOW = (
+    "bias_temperature",
+    "temperature_rate",
+    "thermal_lag",
+    "thermal_hysteresis",
+    "warm_up",
+    "bias_drift",
+    "bias_jump",
+    "telegraph",
+    "quadrature_leakage",
+    "phase_error",
+    "damping_anisotropy",
+    "resonator_frequency",
+    "amplitude_error",
 )
 FAULTS = ("dropouts", "missing_codes", "stuck_reading", "outlier", "stale_temperature")
 NATURAL = (*FAULTS, "variance_burst", *(n for n in NOISES if n != "angle_random_walk"))

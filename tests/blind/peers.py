@@ -92,7 +92,7 @@ def stepwise(path: Path) -> dict[str, Any]:
 
     items, table = table_of(path)
     plain, names = regressors(items, table)
-    y = table.get("y", table.get("y_x"))
+    y = table["y" if "y" in table else "y_x"]
     chosen: list[dict[str, Any]] = []
     columns = severity_basis(plain)
     before = residual = y - columns @ (columns.T @ y)

@@ -52,7 +52,7 @@ def swept(name: str, test: str, sweeps: list[Sweep]) -> Plan:
 
 
 def around(step: float, reverse: bool = False) -> list[float]:
-    angles = list(np.arange(0.0, 360.0, step))
+    angles = [step * i for i in range(round(360.0 / step))]
     return angles[::-1] if reverse else angles
 
 

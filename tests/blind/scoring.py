@@ -12,10 +12,18 @@ Z95 = 1.959964
 
 SIZES: dict[str, tuple[str, ...]] = {
     "g": (
-        "second_order_nonlinearity third_order_nonlinearity odd_quadratic_nonlinearity"
-        " cross_axis_nonlinearity cross_coupling bias_jump outlier scale_factor_asymmetry"
-        " hysteresis bias_drift bias_temperature"
-    ).split(),
+        "second_order_nonlinearity",
+        "third_order_nonlinearity",
+        "odd_quadratic_nonlinearity",
+        "cross_axis_nonlinearity",
+        "cross_coupling",
+        "bias_jump",
+        "outlier",
+        "scale_factor_asymmetry",
+        "hysteresis",
+        "bias_drift",
+        "bias_temperature",
+    ),
     "rad": ("head_eccentricity", "head_ellipticity", "shaft_tilt", "wrong_angle", "wrong_stop"),
     "": ("scale_factor_temperature", "settling_lag"),
 }
