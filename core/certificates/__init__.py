@@ -1,0 +1,11 @@
+"""Calibration certificates: what they state, and where they are kept.
+
+laboratory
+    What does not change from one certificate to the next: `Laboratory`, `Standard`; its file.
+certificate
+    What one certificate states (ISO/IEC 17025:2017, 7.8): `Certificate`, and its JSON twin.
+limits
+    `judge_calibration`: the parameters of a calibration against limits, by a stated rule.
+register
+    The folder of the certificates: the next number, taken once and for all by writing the twin.
+"""
