@@ -77,7 +77,7 @@ def comparison_table(studies: Sequence[NoiseStudy]) -> TableState:
         "",
         ("", "unit", *(titled(one) for one in studies)),
         tuple((row[0], plain_unit(row[1]), *row[2:]) for row in rows),
-        words=2,
+        words=2 + len(studies),
     )
 
 
@@ -92,6 +92,8 @@ def _quotes(found: NoiseCoefficients) -> TableState:
         LAW,
         ("", "value", "unit", "from … to"),
         tuple(rows),
+        # Each row has a unit of its own: there is nothing to align, and room is scarce.
+        words=4,
     )
 
 

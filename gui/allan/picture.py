@@ -52,7 +52,7 @@ def picture_of(
 def _of_study(study: NoiseStudy, colour: int) -> Iterator[CurveState]:
     name = titled(study)
     if study.beside is not None:
-        words = DEVIATIONS[study.beside.mode]
+        words = DEVIATIONS[study.beside.mode].removesuffix(" deviation")
         yield _curve(f"{name}, {words}", colour, study.beside, aside=True)
     if study.after is not None and study.regression is not None:
         yield _curve(f"{name}, before regression", colour, study.coefficients.curve, aside=True)

@@ -74,11 +74,13 @@ class AllanPlot(Plot):
         """Fit the ranges to the curves: the terms may leave the picture."""
         x = np.log10(np.concatenate([curve.taus for curve in state.curves]))
         y = np.log10(np.concatenate([curve.deviation for curve in state.curves]))
-        room = 0.06 * max(float(np.ptp(y)), 0.5)
+        span = max(float(np.ptp(y)), 0.5)
+        room = 0.06 * span
+        legend = 0.04 * span * (len(state.curves) + 1)
         self._plot.getViewBox().setRange(
             xRange=(float(x.min()), float(x.max())),
             # Above there is the legend.
-            yRange=(float(y.min()) - 3.0 * room, float(y.max()) + room),
+            yRange=(float(y.min()) - 3.0 * room, float(y.max()) + room + legend),
             padding=0.02,
         )
 
@@ -89,8 +91,8 @@ class AllanPlot(Plot):
 
     @staticmethod
     def _place_of(taus: FloatArray, values: FloatArray) -> tuple[float, float]:
-        """Where the words of a line stand: at its upper end, a little inside."""
-        at = int(0.06 * len(taus)) if values[0] > values[-1] else int(0.86 * len(taus))
+        """Where the words of a line stand: below the legend, which is in the upper right."""
+        at = int(0.3 * len(taus)) if values[0] > values[-1] else int(0.75 * len(taus))
         return float(taus[at]), float(values[at])
 
     # --- the cursor -------------------------------------------------------------------------------

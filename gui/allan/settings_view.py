@@ -63,7 +63,7 @@ class SettingsView(QWidget):
             field.setSizeAdjustPolicy(
                 QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
             )
-            field.setMinimumContentsLength(8)
+            field.setMinimumContentsLength(6)
         self.increments.toggled.connect(self._on_edited)
         self._retranslate()
         self.render(None)

@@ -23,10 +23,10 @@ _SHORT = {
     "floor of the Allan curve, 0.664 B": "floor of the curve, 0.664 B",
 }
 _BRIEF = {
-    "random walk, two-sided S = N^2": "two-sided",
-    "noise density, one-sided": "one-sided, √2 N",
-    "flicker coefficient B": "flicker",
-    "floor of the Allan curve, 0.664 B": "floor, 0.664 B",
+    "random walk, two-sided S = N^2": "N  two-sided",
+    "noise density, one-sided": "√2 N  one-sided",
+    "flicker coefficient B": "B  flicker",
+    "floor of the Allan curve, 0.664 B": "0.664 B  floor",
 }
 
 
@@ -64,6 +64,10 @@ def interval(quote: Quote | None) -> str:
     if quote is None or quote.upper_limit:
         return ""
     half = 0.5 * (quote.upper - quote.lower)
+    low, mark, power = number(quote.lower, half).partition("e")
+    high, _, other = number(quote.upper, half).partition("e")
+    if mark and power == other:
+        return f"({low} \N{HORIZONTAL ELLIPSIS} {high})e{power}"
     return f"{number(quote.lower, half)} \N{HORIZONTAL ELLIPSIS} {number(quote.upper, half)}"
 
 
@@ -74,7 +78,7 @@ def words_of(quote: Quote) -> str:
 
 def brief_of(quote: Quote) -> str:
     """Return symbol and convention in as few words as tell it from the others."""
-    return f"{quote.symbol}  {_BRIEF.get(quote.text, '')}".rstrip()
+    return _BRIEF.get(quote.text, quote.symbol)
 
 
 def duration(seconds: float) -> str:

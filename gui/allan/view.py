@@ -105,7 +105,7 @@ class AllanView(QWidget):
         across.setStretchFactor(0, 0)
         across.setStretchFactor(1, 3)
         across.setStretchFactor(2, 1)
-        across.setSizes([15 * unit, 36 * unit, 30 * unit])
+        across.setSizes([12 * unit, 18 * unit, 36 * unit])
         rows = QVBoxLayout(self)
         rows.setContentsMargins(0, 0, 0, 0)
         rows.setSpacing(0)

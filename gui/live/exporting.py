@@ -7,7 +7,7 @@ from PySide6.QtCore import QObject, QSize, Signal
 
 from core.errors import LabError, Severity
 from core.records.means import NAME, TABLE, RecordMean, write_means
-from gui.jobs import Jobs
+from gui.jobs import Jobs, Work
 from gui.live.sample_files import FORMATS
 from gui.live.trace import Excerpt
 from gui.messages import Messages
@@ -19,7 +19,10 @@ PICTURES = {"svg": "Charts, SVG", "png": "Charts, PNG", "pdf": "Charts, PDF"}
 
 
 class Exporting(QObject):
-    """Writes files in a worker; pictures at once, since they are painted."""
+    """Writes files in a worker, one after another; pictures at once, since they are painted.
+
+    Several at once would leave the thread that reads the port too few turns.
+    """
 
     averaged = Signal(object, object)
     """List of `RecordMean`, and the folder where their files stand."""
@@ -28,6 +31,8 @@ class Exporting(QObject):
         super().__init__(parent)
         self._jobs = jobs
         self._messages = messages
+        self._waiting: list[tuple[str, Work]] = []
+        self._busy = False
 
     @property
     def formats(self) -> tuple[tuple[str, str], ...]:
@@ -52,7 +57,7 @@ class Exporting(QObject):
             write(excerpt, path)
             return path
 
-        self._jobs.start("export", work, self._on_done, self._on_failed)
+        self._queue("export", work)
 
     def means(self, make: Callable[[], list[RecordMean]], folder: Path) -> None:
         """Average in a worker, and write ``means.dat`` and ``means.csv``."""
@@ -63,7 +68,7 @@ class Exporting(QObject):
             write_means(found, folder)
             return found, folder
 
-        self._jobs.start("means", work, self._on_means, self._on_failed)
+        self._queue("means", work)
 
     def picture(self, paint: Paint, size: QSize, path: Path) -> None:
         """Draw the charts into a file."""
@@ -74,9 +79,30 @@ class Exporting(QObject):
         else:
             self._on_done(path)
 
+    def _queue(self, name: str, work: Work) -> None:
+        self._waiting.append((name, work))
+        if not self._busy:
+            self._next()
+
+    def _next(self) -> None:
+        self._busy = bool(self._waiting)
+        if self._waiting:
+            name, work = self._waiting.pop(0)
+            done = self._on_means if name == "means" else self._on_written
+            self._jobs.start(name, work, done, self._on_refused)
+
+    def _on_written(self, path: object) -> None:
+        self._next()
+        self._on_done(path)
+
+    def _on_refused(self, error: LabError) -> None:
+        self._next()
+        self._on_failed(error)
+
     def _on_means(self, result: object) -> None:
         if not isinstance(result, tuple):
             raise TypeError(f"{type(result).__name__} are no means")
+        self._next()
         found, folder = result
         self._messages.show(
             SOURCE, BannerState(Severity.INFO, f"{NAME} and {TABLE} written", str(folder))

@@ -10,6 +10,7 @@ from core.records.names import NO_NAME
 from core.samples.block import SampleBlock
 from drivers.reader import Counters
 from gui.devices.connection import Connection
+from gui.devices.link import Link
 from gui.live.keeper import Keeper
 from gui.live.loading import Loaded, Loading
 from gui.live.measures import Measures
@@ -22,6 +23,12 @@ from gui.settings import Settings
 from gui.widgets.history import History
 
 SECTION = SOURCE = "live"
+
+
+def _port(link: Link) -> str:
+    """Port and speed, as the operator knows them."""
+    port = link.setup.url.partition("?")[0]
+    return port if link.setup.simulated else f"{port} {link.setup.baud}"
 
 
 class LivePresenter(QObject):
@@ -113,6 +120,7 @@ class LivePresenter(QObject):
             words,
             tone,
             self.settings,
+            "" if link is None else f"{_port(link)}, {link.profile.name}, {link.rate_hz:g} Hz",
             self.file,
             str(self._keeper.folder(self.serial)),
             "A record is running" if busy else "",
@@ -148,11 +156,8 @@ class LivePresenter(QObject):
         stored = 0
         if recorder is not None and recorder.path.exists():
             stored = recorder.path.stat().st_size
-        port = link.setup.url.partition("?")[0]
-        if not link.setup.simulated:
-            port = f"{port} {link.setup.baud}"
         return LiveStatus(
-            port,
+            _port(link),
             now.frames - before.frames if recorder is None else recorder.count,
             seconds,
             now.measured_hz if now.measured_hz == now.measured_hz else None,

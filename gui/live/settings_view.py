@@ -10,6 +10,7 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QListWidget,
     QListWidgetItem,
+    QSizePolicy,
     QVBoxLayout,
     QWidget,
 )
@@ -40,7 +41,11 @@ class SettingsView(QWidget):
         self.file = QLineEdit()
         self.channels = QListWidget()
         self._head, self._channels_head = QLabel(), QLabel()
-        self._labels = {name: QLabel() for name in ("serial", "kind", "profile", "scale", "rate")}
+        self.port = QLabel()
+        self.port.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self._labels = {
+            name: QLabel() for name in ("port", "serial", "kind", "profile", "scale", "rate")
+        }
         self._file_label = QLabel()
         for rate in RATES_HZ:
             self.sampling.addItem(f"{rate} Hz", rate)
@@ -59,7 +64,7 @@ class SettingsView(QWidget):
         form = QFormLayout()
         form.setContentsMargins(0, 0, 0, 0)
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        fields = (self.serial, self.kind, self.profile, self.scale, self.sampling)
+        fields = (self.port, self.serial, self.kind, self.profile, self.scale, self.sampling)
         for label, field in zip(self._labels.values(), fields, strict=True):
             form.addRow(label, field)
             label.setBuddy(field)
@@ -92,6 +97,8 @@ class SettingsView(QWidget):
         settings = self._settings = state.settings
         if not self.serial.hasFocus():
             self.serial.setText(settings.serial)
+        self.port.setText(state.port or self.tr("none: see Properties above"))
+        self.port.setToolTip(state.port)
         self.kind.setCurrentIndex(0 if settings.static else 1)
         self.profile.setValue(settings.profile)
         self.scale.setValue(settings.scale_factor)
@@ -157,6 +164,7 @@ class SettingsView(QWidget):
     def _retranslate(self) -> None:
         self._head.setText(self.tr("Device and Port Settings"))
         names = {
+            "port": self.tr("Port"),
             "serial": self.tr("Device #"),
             "kind": self.tr("Test"),
             "profile": self.tr("Profile #"),

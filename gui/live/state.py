@@ -40,6 +40,7 @@ class LiveState:
     phase : what it does
     headline, tone : the same in words
     settings : the panel
+    port : port, device file and rate of the device; empty without one
     file : name of the record that would be or is written, without suffix
     folder : where it stands
     locked : why settings of the record cannot be changed now; empty if they can
@@ -54,6 +55,7 @@ class LiveState:
     headline: str
     tone: Tone
     settings: LiveSettings
+    port: str
     file: str
     folder: str
     locked: str

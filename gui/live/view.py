@@ -36,8 +36,6 @@ from gui.widgets.theme import current_theme
 
 FRAME_MS = 33
 _SLOW_EVERY = 8
-_ANY_HEIGHT = 16_777_215
-"""Qt's own for no limit."""
 
 
 class LiveView(QWidget):
@@ -69,7 +67,7 @@ class LiveView(QWidget):
         self.pages = QTabWidget()
         self.statistics = ResultTable()
         self.action_bar = ActionBar()
-        self.headline, self.status = QLabel(), QLabel()
+        self.headline, self.status, self.hint = QLabel(), QLabel(), QLabel()
         self.export_row = QWidget()
         self.format, self.export_name = ChoiceField(), QLineEdit()
         self.export_button = QPushButton()
@@ -101,7 +99,7 @@ class LiveView(QWidget):
         scroll.setWidget(self.statistics)
         scroll.setWidgetResizable(True)
         scroll.setFrameShape(QFrame.Shape.NoFrame)
-        scroll.setMinimumHeight(3 * unit)
+        scroll.setMinimumHeight(6 * unit)
         self._stack = QSplitter(Qt.Orientation.Vertical)
         self._stack.addWidget(self.pages)
         self._stack.addWidget(scroll)
@@ -121,7 +119,8 @@ class LiveView(QWidget):
         column = QVBoxLayout(middle)
         column.setContentsMargins(unit // 2, unit // 2, unit // 2, 0)
         column.setSpacing(unit // 3)
-        for part in (self.headline, self._stack, self.export_row, self.status):
+        self.hint.setForegroundRole(QPalette.ColorRole.PlaceholderText)
+        for part in (self.headline, self._stack, self.hint, self.export_row, self.status):
             column.addWidget(part, 1 if part is self._stack else 0)
         left = QWidget()
         panel = QVBoxLayout(left)
@@ -132,7 +131,9 @@ class LiveView(QWidget):
         across = QSplitter(Qt.Orientation.Horizontal)
         across.addWidget(left)
         across.addWidget(middle)
+        across.setStretchFactor(0, 0)
         across.setStretchFactor(1, 1)
+        across.setSizes([19 * unit, 60 * unit])
         across.setChildrenCollapsible(False)
         outer = QVBoxLayout(self)
         outer.setContentsMargins(0, 0, 0, 0)
@@ -195,12 +196,16 @@ class LiveView(QWidget):
             if self._filled:
                 self._panes = sizes
             self._filled = filled
-            unit = self.fontMetrics().height()
-            self._scroll.setMinimumHeight((6 if filled else 1) * unit)
-            self._scroll.setMaximumHeight(_ANY_HEIGHT if filled else 2 * unit)
+            self._show_figures()
             if filled:
                 self._stack.setSizes(self._panes)
+        self.hint.setText("" if filled else state.statistics.equation)
         self.statistics.render(state.statistics)
+
+    def _show_figures(self) -> None:
+        charted = self.pages.currentWidget() is not self.means
+        self._scroll.setVisible(charted and bool(self._filled))
+        self.hint.setVisible(charted and not self._filled)
 
     _filled: bool | None = None
     _table_key: tuple[int, tuple[int, ...], int] = (0, (), 0)
@@ -273,7 +278,7 @@ class LiveView(QWidget):
 
     def _on_page(self) -> None:
         self.table.refresh()
-        self._scroll.setVisible(self.pages.currentWidget() is not self.means)
+        self._show_figures()
 
     def _show_means(self) -> None:
         self.pages.setCurrentWidget(self.means)

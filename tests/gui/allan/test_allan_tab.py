@@ -172,7 +172,7 @@ def test_another_deviation_is_drawn_dashed_and_told_in_a_table(
     state = tab.presenter.state
     assert state.picture is not None
     assert [(curve.name, curve.aside) for curve in state.picture.curves] == [
-        ("25-143 GyroOut, Total deviation", True),
+        ("25-143 GyroOut, Total", True),
         ("25-143 GyroOut", False),
     ]
     assert state.findings is not None
