@@ -53,7 +53,8 @@ def cursor_table(trace: Trace, shown: list[int], a: float | None, b: float | Non
             )
         )
     times = f"A = {fixed(a, 3)} s   B = {fixed(b, 3)} s   B − A = {fixed(b - a, 3)} s"
-    return TableState(_say("Between the cursors"), times, header, tuple(rows), 2)
+    # Each row has a unit of its own: there is nothing to align, and room is scarce.
+    return TableState(_say("Between the cursors"), times, header, tuple(rows), len(header))
 
 
 def _level(value: float, sigma: float) -> str:
