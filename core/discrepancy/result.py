@@ -88,7 +88,9 @@ class Where:
     channel : (n,) output that the row belongs to, from 0
     knots : (k,) regressor at which the curve and the band are given, ascending
     curve : (k,) smooth estimate of the structure, output units
-    band : (k,) half width of the simultaneous 95 % band about zero, output units
+    band : (k,) half width of the simultaneous 95 % band about zero for the mean residual at each
+        knot, output units
+    shown : channel that curve and band belong to: that with the strongest structure
     """
 
     regressor: str
@@ -103,6 +105,7 @@ class Where:
     knots: FloatArray
     curve: FloatArray
     band: FloatArray
+    shown: int = 0
 
 
 @dataclass(frozen=True, slots=True)

@@ -47,6 +47,7 @@ COMMANDS = {
     "thermal": Entry("gui.commands.thermal", "calibrate over temperature"),
     "drift": Entry("gui.commands.drift", "compensate the drift after switching on"),
     "gyrocompass": Entry("gui.commands.gyrocompass", "find north with a gyro"),
+    "explain": Entry("gui.commands.explain", "find the effect that a model lacks"),
     "predict": Entry("gui.commands.predict", "say which procedure, and how well, beforehand"),
 }
 

@@ -127,7 +127,9 @@ class WarmUp(Effect):
 
     def columns(self, stimulus: Stimulus, sensor: Sensor) -> FloatArray:
         """The exponential from the first row on."""
-        decay: FloatArray = np.exp(-_MINUTES_PER_H * hours(stimulus) / self._tau)
+        decay: FloatArray = np.exp(hours(stimulus) * (-_MINUTES_PER_H / self._tau)).astype(
+            np.float64
+        )
         return column(small_gain(sensor) * decay)
 
     def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:

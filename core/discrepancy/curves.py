@@ -1,0 +1,161 @@
+"""Unknown smooth structure in one regressor: what competes with the names, and shows where."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from core.arrays import FloatArray
+from core.discrepancy.components import cells, times
+from core.discrepancy.evidence import curve_evidence
+from core.discrepancy.problem import Problem
+from core.discrepancy.space import Space
+from core.units import RAD_PER_DEG
+
+_HARMONICS = 8
+_POWERS = 7
+_WAVES = 8
+_GROUPS = ("mount", "run")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Regressor:
+    """Against what residuals are looked at.
+
+    Parameters
+    ----------
+    name, unit : of the regressor
+    x : (n c,) its value in each stacked row
+    basis : (n c, q) unknown curve of unit amplitude, in units of the typical noise
+    """
+
+    name: str
+    unit: str
+    x: FloatArray
+    basis: FloatArray
+
+
+def regressors_of(problem: Problem, sigma: FloatArray) -> tuple[Regressor, ...]:
+    """All regressors that change in a run.
+
+    Parameters
+    ----------
+    sigma : (n c,) standard deviation of the noise of each row
+    """
+    channels = np.eye(problem.channels)
+    return tuple(
+        Regressor(
+            name, unit, np.tile(x, problem.channels), np.kron(channels, basis) * sigma[:, None]
+        )
+        for name, unit, x, basis in (*_settings(problem), *_circumstances(problem))
+        if np.ptp(x) > 0.0 and basis.shape[1]
+    )
+
+
+_Described = tuple[str, str, FloatArray, FloatArray]
+
+
+def _settings(problem: Problem) -> list[_Described]:
+    """What was set, row by row of one channel."""
+    run, a = problem.run, problem.stimulus.a
+    if run.test == "rate_table":
+        return [("set_rate_dps", "deg/s", run.set_rate_dps, _powers(run.set_rate_dps))]
+    head = np.mod(run.head_deg, 360.0)
+    size = float(np.max(np.abs(a)))
+    changing = [i for i in range(3) if np.ptp(a[:, i]) > 1e-6 * size]
+    return [
+        ("head_deg", "deg", head, _harmonics(head)),
+        *((f"a_{'xyz'[i]}", "m/s^2", a[:, i], _powers(a[:, i])) for i in changing),
+    ]
+
+
+def _circumstances(problem: Problem) -> list[_Described]:
+    """What else was different from row to row."""
+    run, stimulus, n = problem.run, problem.stimulus, problem.rows
+    found: list[_Described] = []
+    cell = cells(problem)[:n].astype(np.float64)
+    if len(np.unique(cell)) <= 0.7 * n:
+        found.append(("position", "", cell, _groups(cell)))
+    timed = bool(np.all(np.isfinite(run.t_s)))
+    order = np.arange(n, dtype=np.float64)
+    name, unit, t = ("t_s", "s", run.t_s) if timed else ("order", "", order)
+    found.append((name, unit, t, _waves(times(problem))))
+    temperature = stimulus.columns.get("temperature_c", np.full(n, np.nan))
+    if np.all(np.isfinite(temperature)):
+        found.append(("temperature_c", "degC", temperature, _powers(temperature, 4)))
+    found += [(key, "", stimulus.column(key), _groups(stimulus.column(key))) for key in _GROUPS]
+    place = run.set_rate_dps if run.test == "rate_table" else run.head_deg
+    step = np.sign(np.diff(place, prepend=place[:1]))
+    found.append(("direction", "", step, _groups(step)))
+    return found
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Curve:
+    """A regressor's curves in a whitened space.
+
+    Parameters
+    ----------
+    regressor : which
+    left : (n, r) principal directions
+    sizes : (r,) how strongly a curve of unit amplitude excites each
+    """
+
+    regressor: Regressor
+    left: FloatArray
+    sizes: FloatArray
+
+    @classmethod
+    def of(cls, regressor: Regressor, space: Space) -> "Curve":
+        """Project the curves of a regressor."""
+        rest = space.rest(regressor.basis)
+        left, sizes, _ = np.linalg.svd(rest, full_matrices=False)
+        keep = sizes > 1e-3
+        return cls(regressor, left[:, keep], sizes[keep])
+
+    def evidence(self, residual: FloatArray, space: Space) -> FloatArray:
+        """Evidence of structure in residuals (n,) or (n, k)."""
+        rss = np.sum(residual**2, axis=0)
+        if not len(self.sizes):
+            return np.zeros(residual.shape[1:])
+        return curve_evidence(self.left.T @ residual, self.sizes, rss, space.prior, space.dof)
+
+    def shrunk(self, residual: FloatArray, amplitude: float) -> FloatArray:
+        """Whitened curve (n,) that a prior of that amplitude makes of a residual."""
+        e = (amplitude * self.sizes) ** 2
+        return self.left @ (e / (1.0 + e) * (self.left.T @ residual))
+
+    def amplitude(self, residual: FloatArray) -> float:
+        """Amplitude that explains the residual best."""
+        c = self.left.T @ residual
+        best, found = -np.inf, 0.5
+        for amplitude in np.geomspace(0.1, 64.0, 14):
+            e = (amplitude * self.sizes) ** 2
+            value = float(np.sum(-0.5 * np.log1p(e) + 0.5 * c**2 * e / (1.0 + e)))
+            if value > best:
+                best, found = value, float(amplitude)
+        return found
+
+
+def _harmonics(head_deg: FloatArray) -> FloatArray:
+    angle = RAD_PER_DEG * head_deg
+    return np.column_stack(
+        [wave(k * angle) * (2.0 / k) for k in range(2, _HARMONICS + 1) for wave in (np.sin, np.cos)]
+    )
+
+
+def _powers(values: FloatArray, highest: int = _POWERS) -> FloatArray:
+    middle, half = 0.5 * (values.max() + values.min()), 0.5 * float(np.ptp(values))
+    x = (values - middle) / (half if half > 0.0 else 1.0)
+    count = min(highest, len(np.unique(values.round(9))) - 1)
+    legendre = np.polynomial.legendre.legvander(x, max(count, 0))[:, 1:]
+    return legendre * (2.0 / np.arange(2, legendre.shape[1] + 2))
+
+
+def _waves(t: FloatArray) -> FloatArray:
+    span = float(np.ptp(t))
+    x = (t - t[0]) / (span if span > 0.0 else 1.0)
+    return np.column_stack([np.cos(np.pi * k * x) / k for k in range(1, _WAVES + 1)])
+
+
+def _groups(values: FloatArray) -> FloatArray:
+    return np.column_stack([(values == one).astype(np.float64) for one in np.unique(values)])

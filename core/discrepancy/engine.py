@@ -1,0 +1,115 @@
+"""From a run to the set of effects that explains it, in two rounds.
+
+The noise is found with what was named left out of it, for a real drift looks like noise until it
+has a name, and noise that ate an effect hides it (Patterson and Thompson's contrasts cannot help
+where the effect has the shape of the noise).
+"""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from core.arrays import FloatArray
+from core.discrepancy.bank import Bank
+from core.discrepancy.curves import Curve, Regressor, regressors_of
+from core.discrepancy.floor import Floor
+from core.discrepancy.problem import Problem
+from core.discrepancy.relabels import Relabels
+from core.discrepancy.search import Scored, Search
+from core.discrepancy.settings import Settings
+from core.discrepancy.slots import Slot, State
+
+_START, _LEAST = 3.0, 1.0
+_SEED = 20120917
+_UNLUCKY = 0.98
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Engine:
+    """A run under one noise floor.
+
+    Parameters
+    ----------
+    problem, settings, bank, floor : what is compared, and against what
+    regressors : against what residuals are looked at
+    search : all hypotheses, with the threshold of this plan and this noise
+    nulls : (n, k) whitened residuals of data that are only noise
+    top : (k,) evidence of the best name in each of them, ascending
+    """
+
+    problem: Problem
+    settings: Settings
+    bank: Bank
+    floor: Floor
+    regressors: tuple[Regressor, ...]
+    search: Search
+    nulls: FloatArray
+    top: FloatArray
+
+    @classmethod
+    def of(cls, problem: Problem, settings: Settings) -> "Engine":
+        """Prepare a run; what is found in a first round is left out of the noise."""
+        bank = Bank.of(problem)
+        first = _under(problem, settings, bank, ())
+        state, _ = first.search.run()
+        return _calibrated(_under(problem, settings, bank, state.slots) if state.slots else first)
+
+    def found(self, forced: tuple[Slot, ...] = ()) -> tuple[State, Scored | None]:
+        """The best set of effects that holds the forced ones."""
+        return self.search.run(forced)
+
+    def p_value(self, evidence: float) -> float:
+        """Probability of so much evidence for any name in data without any effect."""
+        above = len(self.top) - int(np.searchsorted(self.top, evidence))
+        return (above + 1.0) / (len(self.top) + 1.0)
+
+
+def _under(problem: Problem, settings: Settings, bank: Bank, slots: tuple[Slot, ...]) -> Engine:
+    floor = Floor.of(problem, settings, slots)
+    space = floor.space(problem.design())
+    regressors = regressors_of(problem, np.sqrt(np.diag(floor.covariance)))
+    search = Search(
+        problem=problem,
+        bank=bank.in_space(space),
+        relabels=Relabels.of(problem, space),
+        curves=tuple(Curve.of(one, space) for one in regressors),
+        doubts={},
+        curve_doubts=(0.0,) * len(regressors),
+        threshold=_START,
+        most=settings.max_effects,
+    )
+    none = np.zeros((len(problem.y), 0))
+    return Engine(problem, settings, bank, floor, regressors, search, none, np.zeros(0))
+
+
+def _calibrated(engine: Engine) -> Engine:
+    """With the threshold that data without any effect exceed in `alpha` of cases."""
+    search, space = engine.search, engine.search.bank.space
+    rng = np.random.default_rng(_SEED)
+    nulls = engine.floor.nulls(space, rng)
+    exact = space.project(rng.standard_normal(nulls.shape))
+    evidence = _evidence(engine, nulls)
+    # What goes with time may be no more than a larger drift; what repeats, a worse head.
+    doubts = np.quantile(evidence, _UNLUCKY, axis=1) - np.quantile(
+        _evidence(engine, exact), _UNLUCKY, axis=1
+    )
+    doubts = np.maximum(doubts, 0.0)
+    top = np.sort(np.max(evidence - doubts[:, None], axis=0))
+    threshold = max(_LEAST, float(np.quantile(top, 1.0 - engine.settings.alpha)))
+    names = len(engine.bank.names)
+    search = replace(
+        search,
+        threshold=threshold,
+        doubts=dict(zip(engine.bank.names, doubts[:names].tolist(), strict=True)),
+        curve_doubts=tuple(doubts[names:].tolist()),
+    )
+    return replace(engine, search=search, nulls=nulls, top=top)
+
+
+def _evidence(engine: Engine, residuals: FloatArray) -> FloatArray:
+    """Evidence of all names and curves (m, k) in residuals (n, k)."""
+    search = engine.search
+    added = np.zeros((len(residuals), 0))
+    names = engine.bank.by_name(search.bank.evidence(residuals, added))
+    curves = [curve.evidence(residuals, search.bank.space) for curve in search.curves]
+    return np.vstack([names, *curves])

@@ -1,0 +1,88 @@
+"""How far the model and the data are apart, in total, between positions, and held out."""
+
+import math
+
+import numpy as np
+
+from core.arrays import FloatArray
+from core.discrepancy.components import cells
+from core.discrepancy.engine import Engine
+from core.discrepancy.result import Gap
+from core.discrepancy.slots import State
+from core.discrepancy.space import orthonormal
+
+_FOLDS = 5
+
+
+def gap_of(engine: Engine, state: State) -> Gap:
+    """The gap of a state."""
+    from scipy.special import fdtrc
+
+    space = engine.search.bank.space
+    dof = max(space.dof - state.added.shape[1], 1)
+    raw = space.chol @ state.residual
+    reduced = state.rss / dof
+    return Gap(
+        rms=float(np.sqrt(np.mean(raw**2))),
+        gap=math.sqrt(reduced),
+        chi2_red=reduced,
+        dof=space.dof - state.added.shape[1],
+        p_value=float(fdtrc(dof, max(space.prior, 1.0), reduced)),
+        lack_p=_lack_of_fit(engine, state),
+    )
+
+
+def held_out_gap(engine: Engine, state: State) -> float:
+    """Gap of rows that were left out of the fit, a run at a time (a fifth where there is one run).
+
+    A figure of stability, no confirmation: the errors of the head repeat in every run, and the
+    names were chosen with all rows.
+    """
+    problem, space = engine.problem, engine.search.bank.space
+    run = np.tile(problem.run.run, problem.channels)
+    runs = np.unique(run)
+    if len(runs) < 2:
+        run = np.tile(np.arange(problem.rows) % _FOLDS, problem.channels)
+        runs = np.unique(run)
+    change = sum((slot.change for slot in state.slots), np.zeros(len(problem.y)))
+    y = problem.y + change
+    design = np.hstack([problem.design(), *(slot.raw for slot in state.slots)])
+    size = np.linalg.norm(design, axis=0)
+    design = design / np.where(size > 0.0, size, 1.0)
+    covariance = space.chol @ space.chol.T
+    total, count = 0.0, 0
+    for one in runs:
+        out = run == one
+        if out.all():
+            return math.nan
+        chol = np.linalg.cholesky(covariance[np.ix_(~out, ~out)])
+        inverse = np.linalg.pinv(np.linalg.solve(chol, design[~out]), rcond=1e-9)
+        values = inverse @ np.linalg.solve(chol, y[~out])
+        error = y[out] - design[out] @ values
+        spread = covariance[np.ix_(out, out)] + design[out] @ (inverse @ inverse.T) @ design[out].T
+        total += float(error @ np.linalg.solve(spread, error))
+        count += int(out.sum())
+    return math.sqrt(total / count)
+
+
+def _lack_of_fit(engine: Engine, state: State) -> float:
+    """P value of what positions leave beyond what their replicates show (NIST 4.6.1)."""
+    from scipy.special import fdtrc
+
+    problem, space = engine.problem, engine.search.bank.space
+    cell = cells(problem)
+    groups = np.equal.outer(cell, np.unique(cell)).astype(np.float64)
+    between = space.rest(groups)
+    between = orthonormal(between - state.added @ (state.added.T @ between))
+    pure_dof = space.dof - state.added.shape[1] - between.shape[1]
+    if pure_dof < 2 or not between.shape[1]:
+        return math.nan
+    lack = float(np.sum((between.T @ state.residual) ** 2))
+    level = (state.rss - lack + space.prior) / (pure_dof + space.prior)
+    ratio = lack / between.shape[1] / level
+    return float(fdtrc(between.shape[1], pure_dof + space.prior, ratio))
+
+
+def predicted(engine: Engine, state: State) -> FloatArray:
+    """(n,) what the model of a state says of each row."""
+    return engine.problem.y - engine.search.bank.space.chol @ state.residual

@@ -1,0 +1,92 @@
+"""Where the disagreement is: one regressor at a time, multiplicity controlled."""
+
+import numpy as np
+
+from core.arrays import FloatArray, frozen, frozen_int
+from core.discrepancy.curves import Curve
+from core.discrepancy.engine import Engine
+from core.discrepancy.result import Where
+from core.discrepancy.slots import State
+
+_KNOTS = 60
+_LEVEL = 0.95
+
+
+def locate(engine: Engine, state: State) -> tuple[Where, ...]:
+    """Return all regressors, the most significant first.
+
+    P values are those of Westfall and Young (1993): the smallest of all regressors in simulated
+    noise is what each must beat.
+    """
+    space = engine.search.bank.space.with_columns(
+        np.hstack([np.zeros((len(state.residual), 0)), *(slot.raw for slot in state.slots)])
+    )
+    nulls = engine.nulls - state.added @ (state.added.T @ engine.nulls)
+    curves = [Curve.of(regressor, space) for regressor in engine.regressors]
+    if not curves:
+        return ()
+    observed = np.array([float(c.evidence(state.residual, space)) for c in curves])
+    null = np.array([c.evidence(nulls, space) for c in curves])
+    count = null.shape[1]
+    own = (1.0 + np.sum(null >= observed[:, None], axis=1)) / (1.0 + count)
+    ranks = np.argsort(np.argsort(-null, axis=1), axis=1)
+    smallest = (1.0 + ranks).min(axis=0) / (1.0 + count)
+    adjusted = [(1.0 + float(np.sum(smallest <= p))) / (1.0 + count) for p in own]
+    raw, raw_nulls = space.chol @ state.residual, space.chol @ nulls
+    found = [
+        _where(engine, curve, state, p, raw, raw_nulls)
+        for curve, p in zip(curves, adjusted, strict=True)
+    ]
+    order = np.lexsort((-observed, adjusted))
+    return tuple(found[int(i)] for i in order)
+
+
+def _where(
+    engine: Engine,
+    curve: Curve,
+    state: State,
+    p_value: float,
+    raw: FloatArray,
+    raw_nulls: FloatArray,
+) -> Where:
+    problem, regressor = engine.problem, curve.regressor
+    smooth = curve.shrunk(state.residual, curve.amplitude(state.residual))
+    excess = state.rss - engine.search.bank.space.dof
+    taken = state.rss - float(np.sum((state.residual - smooth) ** 2))
+    whole = engine.search.bank.space.chol @ smooth
+    channel = problem.channel
+    # One channel is drawn: that in which the curve is strongest.
+    sizes = [float(np.sum(whole[channel == c] ** 2)) for c in range(problem.channels)]
+    own = channel == int(np.argmax(sizes))
+    x = regressor.x[own]
+    bins = _bins(x)
+    count = np.bincount(bins)
+    mean = np.bincount(bins, raw[own]) / count
+    null = np.array([np.bincount(bins, one) for one in raw_nulls[own].T]).T / count[:, None]
+    sigma = np.sqrt(np.mean(null**2, axis=1)) + 1e-300
+    level = float(np.quantile(np.max(np.abs(null) / sigma[:, None], axis=0), _LEVEL))
+    knots = np.bincount(bins, x) / count
+    worst = int(np.argmax(np.abs(mean) / sigma))
+    return Where(
+        regressor=regressor.name,
+        unit=regressor.unit,
+        p_value=p_value,
+        share=float(np.clip(taken / excess, 0.0, 1.0)) if excess > 0.0 else 0.0,
+        worst_value=float(knots[worst]),
+        worst_sigma=float(mean[worst] / sigma[worst]),
+        x=frozen(regressor.x),
+        residual=frozen(raw),
+        channel=frozen_int(channel),
+        knots=frozen(knots),
+        curve=frozen(np.bincount(bins, whole[own]) / count),
+        band=frozen(level * sigma),
+        shown=int(np.argmax(sizes)),
+    )
+
+
+def _bins(x: FloatArray) -> FloatArray:
+    """Number of the bin of each row; bins ascend and none is empty."""
+    values, place = np.unique(x.round(9), return_inverse=True)
+    if len(values) <= _KNOTS:
+        return place
+    return np.unique(place * _KNOTS // len(values), return_inverse=True)[1]

@@ -1,0 +1,61 @@
+"""What a plan could have shown: smallest sizes, aliases, what stays invisible."""
+
+import math
+
+import numpy as np
+
+from core.discrepancy.engine import Engine
+from core.discrepancy.result import Smallest
+from core.model.catalogue.listing import CATALOGUE
+
+_NAMED = 8.0
+_ALIAS = 0.998
+
+
+def smallest_of(engine: Engine) -> tuple[Smallest, ...]:
+    """By name, the size at which 8 sigmas of an effect are visible, and what looks the same."""
+    projected, bank = engine.search.bank, engine.bank
+    problem = engine.problem
+    none = np.zeros((len(problem.y), 0))
+    found: list[Smallest] = []
+    for number, name in enumerate(bank.names):
+        own = np.flatnonzero((bank.name == number) & projected.seen)
+        if not len(own):
+            continue
+        blocks = [projected.columns[:, bank.block(int(i))] for i in own]
+        visible = np.array([math.sqrt(float(np.mean(np.sum(b**2, axis=0)))) for b in blocks])
+        middle = int(np.argsort(visible)[len(visible) // 2])
+        instance = bank.instances[int(own[middle])]
+        column = blocks[middle][:, 0]
+        explained, _ = projected.explained(column, none)
+        same = explained > _ALIAS * float(column @ column)
+        twins = [
+            other
+            for place, other in enumerate(bank.names)
+            if place != number and np.any(same & (bank.name == place))
+        ]
+        sensor = problem.models[max(instance.channel, 0)].sensor
+        parameter = instance.effect.parameters(sensor)[0]
+        found.append(
+            Smallest(
+                effect=name,
+                name=CATALOGUE[name].name,
+                parameter=parameter.name,
+                size=_NAMED / float(visible[middle]),
+                unit=parameter.unit,
+                typical=CATALOGUE[name].typical.get(sensor.kind, math.nan),
+                aliases=tuple(twins),
+            )
+        )
+    return tuple(found)
+
+
+def invisible_of(engine: Engine) -> tuple[str, ...]:
+    """Identifiers of the effects that the plan cannot show, whatever their size."""
+    projected, bank = engine.search.bank, engine.bank
+    seen = {bank.names[int(i)] for i in np.unique(bank.name[projected.seen])}
+    seen |= set(engine.search.relabels.names)
+    exchange = engine.search.relabels.exchange
+    if exchange is not None:
+        seen.add(exchange.id)
+    return tuple(effect.id for effect in engine.problem.effects if effect.id not in seen)

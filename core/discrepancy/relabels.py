@@ -1,0 +1,122 @@
+"""Hypotheses without parameters: rows that mean something else than they say."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from core.arrays import FloatArray, IntArray
+from core.discrepancy.bank import Instance
+from core.discrepancy.evidence import log_mean, relabel_evidence
+from core.discrepancy.problem import Problem
+from core.discrepancy.slots import Slot, State
+from core.discrepancy.space import Space
+from core.model.effect import Effect, Kind
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Relabels:
+    """All relabellings and exchanges of a run in a whitened space.
+
+    Parameters
+    ----------
+    problem, space : which
+    names : (m,) identifiers of the relabellings
+    effects : (m,) the relabellings
+    changes : (n, m) what each adds to the outputs
+    exchange : the effect whose pairs of rows are tried; None where there is none
+    pairs : (k, 2) the pairs
+    identity : (n, n) whitened rows without the plain model
+    """
+
+    problem: Problem
+    space: Space
+    names: tuple[str, ...]
+    effects: tuple[Effect, ...]
+    changes: FloatArray
+    exchange: Effect | None
+    pairs: IntArray
+    identity: FloatArray
+
+    @classmethod
+    def of(cls, problem: Problem, space: Space) -> "Relabels":
+        """Work out what each relabelling would change."""
+        effects = [
+            one
+            for effect in problem.effects
+            if effect.kind is Kind.RELABEL
+            for one in effect.instances(problem.stimulus, problem.models[0].sensor)
+        ]
+        changes = [_change(problem, effect, space) for effect in effects]
+        n = len(problem.y)
+        exchange = next((e for e in problem.effects if e.kind is Kind.EXCHANGE), None)
+        none = np.zeros((0, 2), dtype=np.int64)
+        return cls(
+            problem=problem,
+            space=space,
+            names=tuple(effect.id for effect in effects),
+            effects=tuple(effects),
+            changes=np.column_stack(changes) if changes else np.zeros((n, 0)),
+            exchange=exchange,
+            pairs=none if exchange is None else exchange.exchanges(problem.stimulus),
+            identity=space.rest(np.eye(n)),
+        )
+
+    def scores(self, state: State) -> dict[str, tuple[float, Slot]]:
+        """Evidence of each name, and its best instance as a slot."""
+        found: dict[str, tuple[float, Slot]] = {}
+        dof = self.space.dof - state.added.shape[1]
+        if self.names:
+            moved = self.space.rest(self.changes)
+            moved = state.residual[:, None] + moved - state.added @ (state.added.T @ moved)
+            after = np.sum(moved**2, axis=0)
+            evidence = relabel_evidence(after, state.rss, self.space.prior, dof)
+            for name in dict.fromkeys(self.names):
+                own = np.flatnonzero([one == name for one in self.names])
+                best = int(own[np.argmax(evidence[own])])
+                slot = self._slot(self.effects[best], self.changes[:, best])
+                found[name] = (float(log_mean(evidence[own], axis=0)), slot)
+        if self.exchange is not None and len(self.pairs):
+            evidence = relabel_evidence(self._exchanged(state), state.rss, self.space.prior, dof)
+            first, second = self.pairs[int(np.argmax(evidence))].tolist()
+            effect = self.exchange.exchanged(first, second)
+            slot = self._slot(effect, _change(self.problem, effect, self.space))
+            found[effect.id] = (float(log_mean(evidence, axis=0)), slot)
+        return found
+
+    def _slot(self, effect: Effect, change: FloatArray) -> Slot:
+        return Slot(effect.id, Instance(effect, -1), np.zeros((len(change), 0)), change)
+
+    def _exchanged(self, state: State) -> FloatArray:
+        """Sum of squares after the exchange of each pair of rows."""
+        n, c = self.problem.rows, self.problem.channels
+        rows = self.identity - state.added @ (state.added.T @ self.identity)
+        pull = rows.T @ state.residual
+        inner = rows.T @ rows
+        change = sum((slot.change for slot in state.slots), np.zeros(n * c))
+        y = self.problem.y + change
+        i, j = self.pairs.T
+        after = np.full(len(i), state.rss)
+        for one in range(c):
+            a, b = i + one * n, j + one * n
+            step = y[b] - y[a]
+            after += 2.0 * step * (pull[a] - pull[b])
+            for other in range(c):
+                p, q = i + other * n, j + other * n
+                there = y[q] - y[p]
+                after += step * there * (inner[a, p] - inner[a, q] - inner[b, p] + inner[b, q])
+        return np.maximum(after, 0.0)
+
+
+def _change(problem: Problem, effect: Effect, space: Space) -> FloatArray:
+    """What a relabelling adds to the outputs.
+
+    Another stimulus acts like outputs that differ by what the model says of the difference.
+    """
+    y = problem.y.reshape(problem.channels, problem.rows).T
+    stimulus, right = effect.relabel(problem.stimulus, y)
+    change = (right - y).T.ravel()
+    if stimulus is not problem.stimulus:
+        other, plain = problem.design(stimulus), problem.design()
+        values = np.linalg.lstsq(space.white(other), space.white(problem.y), rcond=None)[0]
+        change = change - (other - plain) @ values
+    return change

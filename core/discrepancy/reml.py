@@ -1,0 +1,94 @@
+"""Sizes of the parts of the noise from what replicates show.
+
+Maximum a posteriori with a log-normal prior of each size, on contrasts that hold neither what
+repeats at a position nor what goes with time (restricted likelihood: Patterson and Thompson 1971).
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from core.arrays import FloatArray
+from core.discrepancy.components import Component
+
+_ROUNDS = 8
+_CLIP = 3.0
+_FEWEST = 4
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Sizes:
+    """What was found.
+
+    Parameters
+    ----------
+    ratio : (k,) size of each part over its stated size
+    spread : (k, k) covariance of the logarithms of the variances, prior and data
+    dof : number of contrasts
+    """
+
+    ratio: FloatArray
+    spread: FloatArray
+    dof: int
+
+    def total(self, parts: tuple[Component, ...]) -> FloatArray:
+        """Covariance (n, n) of the noise."""
+        matrices = zip(parts, self.ratio, strict=True)
+        return np.sum([part.matrix * ratio**2 for part, ratio in matrices], axis=0)
+
+    def drawn(self, rng: np.random.Generator) -> "Sizes":
+        """Sizes as they could be as well."""
+        step = rng.multivariate_normal(np.zeros(len(self.ratio)), self.spread, method="cholesky")
+        return Sizes(self.ratio * np.exp(0.5 * step), self.spread, self.dof)
+
+
+def find_sizes(parts: tuple[Component, ...], y: FloatArray, nuisance: FloatArray) -> Sizes:
+    """Find the sizes.
+
+    Parameters
+    ----------
+    parts : of the noise
+    y : (n,) outputs
+    nuisance : (n, q) columns whose span is left out
+    """
+    prior = np.array([2.0 * part.spread for part in parts])
+    contrasts = _complement(nuisance)
+    stated = Sizes(np.ones(len(parts)), np.diag(prior**2), contrasts.shape[1])
+    if contrasts.shape[1] < _FEWEST:
+        return stated
+    u = contrasts.T @ _winsorised(contrasts @ (contrasts.T @ y))
+    matrices = [contrasts.T @ part.matrix @ contrasts for part in parts]
+    log = np.zeros(len(parts))
+    curvature = np.diag(1.0 / prior**2)
+    for _ in range(_ROUNDS):
+        weights = np.exp(log)
+        inverse = np.linalg.inv(np.sum([w * m for w, m in zip(weights, matrices, strict=True)], 0))
+        products: list[FloatArray] = [
+            np.asarray(w * inverse @ m, dtype=np.float64)
+            for w, m in zip(weights, matrices, strict=True)
+        ]
+        white = inverse @ u
+        fit = np.array([w * white @ m @ white for w, m in zip(weights, matrices, strict=True)])
+        slope = 0.5 * (fit - [np.trace(p) for p in products]) - log / prior**2
+        information = np.array([[0.5 * np.sum(p * q.T) for q in products] for p in products])
+        curvature = information + np.diag(1.0 / prior**2)
+        step = np.clip(np.linalg.solve(curvature, slope), -1.5, 1.5)
+        log = log + step
+        if np.max(np.abs(step)) < 0.02:
+            break
+    return Sizes(np.exp(0.5 * log), np.linalg.inv(curvature), contrasts.shape[1])
+
+
+def _complement(columns: FloatArray) -> FloatArray:
+    """Orthonormal basis (n, n - rank) of what is orthogonal to the columns."""
+    size = np.linalg.norm(columns, axis=0)
+    columns = columns[:, size > 1e-12 * max(float(size.max(initial=0.0)), 1e-300)]
+    columns = columns / np.linalg.norm(columns, axis=0)
+    left, singular, _ = np.linalg.svd(columns, full_matrices=True)
+    rank = int(np.sum(singular > 1e-8 * singular[0]))
+    return left[:, rank:]
+
+
+def _winsorised(residual: FloatArray) -> FloatArray:
+    limit = _CLIP * 1.4826 * float(np.median(np.abs(residual)))
+    return np.clip(residual, -limit, limit) if limit > 0.0 else residual

@@ -1,0 +1,246 @@
+"""Names compete: gross faults first, a beam of sets, exchange of names, elimination."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from core.arrays import FloatArray
+from core.discrepancy.bank import Instance, Projected
+from core.discrepancy.curves import Curve
+from core.discrepancy.evidence import block_evidence
+from core.discrepancy.problem import Problem
+from core.discrepancy.relabels import Relabels
+from core.discrepancy.result import UNKNOWN
+from core.discrepancy.slots import Slot, State, state_of
+
+_WIDTH, _FIRST = 5, 8
+_GROSS, _AHEAD = 60.0, 30.0
+_UNKNOWN_COST = 0.5
+_ROUNDS = 3
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Scored:
+    """One name as the next step.
+
+    Parameters
+    ----------
+    evidence : averaged over its instances
+    margin : the same without what an unlucky guess of the noise alone can give this name
+    slot : its best instance; None for unknown structure
+    regressor : place of the curve of unknown structure; -1 for others
+    """
+
+    evidence: float
+    margin: float
+    slot: Slot | None
+    regressor: int = -1
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Search:
+    """All hypotheses of a run in one whitened space.
+
+    Parameters
+    ----------
+    problem : the run
+    bank : columns of all instances
+    relabels : hypotheses without parameters
+    curves : unknown structure, by regressor
+    doubts : by name, evidence that an unlucky guess of the noise alone can give it
+    curve_doubts : the same of each curve
+    threshold : evidence beyond this that a name must have
+    most : steps at most
+    """
+
+    problem: Problem
+    bank: Projected
+    relabels: Relabels
+    curves: tuple[Curve, ...]
+    doubts: Mapping[str, float]
+    curve_doubts: tuple[float, ...]
+    threshold: float
+    most: int
+
+    def state(self, slots: tuple[Slot, ...], evidence: float = 0.0) -> State:
+        """The state of a set of slots."""
+        return state_of(slots, self.bank.space, self.problem.y, evidence)
+
+    def scores(self, state: State) -> dict[str, Scored]:
+        """All names as the next step of a state, without unknown structure."""
+        bank = self.bank.bank
+        evidence = self.bank.evidence(state.residual, state.added)
+        by_name = bank.by_name(evidence)
+        found: dict[str, Scored] = {}
+        for place, name in enumerate(bank.names):
+            own = np.flatnonzero(bank.name == place)
+            best = int(own[np.argmax(evidence[own])])
+            if not np.any(self.bank.seen[own]):
+                continue
+            value = float(by_name[place])
+            found[name] = Scored(value, value - self.doubts.get(name, 0.0), self.slot(best))
+        for name, (value, slot) in self.relabels.scores(state).items():
+            found[name] = Scored(value, value, slot)
+        return found
+
+    def slot(self, instance: int) -> Slot:
+        """An instance of the bank as a slot."""
+        bank = self.bank.bank
+        one = bank.instances[instance]
+        raw = bank.raw[:, bank.block(instance)]
+        return Slot(one.effect.id, one, raw, np.zeros(len(raw)))
+
+    def unknown(self, state: State) -> Scored:
+        """Unknown structure as the next step of a state."""
+        space = self.bank.space
+        values: list[float] = []
+        for curve in self.curves:
+            left = curve.left - state.added @ (state.added.T @ curve.left)
+            part = replace(curve, left=left) if state.added.shape[1] else curve
+            if state.added.shape[1]:
+                turned, sizes, _ = np.linalg.svd(left * curve.sizes, full_matrices=False)
+                keep = sizes > 1e-3
+                part = replace(curve, left=turned[:, keep], sizes=sizes[keep])
+            values.append(float(part.evidence(state.residual, space)))
+        if not values:
+            return Scored(0.0, 0.0, None)
+        margins = np.array(values) - np.array(self.curve_doubts)
+        best = int(np.argmax(margins))
+        return Scored(
+            values[best] - _UNKNOWN_COST, float(margins[best]) - _UNKNOWN_COST, None, best
+        )
+
+    def run(self, forced: tuple[Slot, ...] = ()) -> tuple[State, Scored | None]:
+        """Find the best set.
+
+        Parameters
+        ----------
+        forced : steps that stay
+
+        Returns
+        -------
+        State, Scored or None
+            The set, and unknown structure if it ends with that.
+        """
+        start = self._gross(self.state(forced))
+        best = self._beam(start)
+        best = self._refined(best, len(forced))
+        score = self.unknown(best)
+        return best, score if score.margin > self.threshold else None
+
+    def _gross(self, state: State) -> State:
+        while len(state.slots) < self.most:
+            ranked = sorted(self.scores(state).values(), key=lambda s: -s.evidence)
+            if len(ranked) < 2 or ranked[0].evidence < _GROSS or ranked[0].slot is None:
+                break
+            if ranked[0].evidence - ranked[1].evidence < _AHEAD:
+                break
+            slot = self.polished(ranked[0].slot, state)
+            state = self.state((*state.slots, slot), state.evidence + ranked[0].margin)
+        return state
+
+    def _worth(self, state: State) -> float:
+        return state.evidence - self.threshold * len(state.slots)
+
+    def _beam(self, start: State) -> State:
+        best, best_worth = start, self._worth(start)
+        beam = [start]
+        for depth in range(self.most - len(start.slots) + 1):
+            for state in beam[:3]:
+                # Unknown structure ends a set, for as a step of its own it swallows two effects.
+                total = self._worth(state) + self.unknown(state).margin - self.threshold
+                if total > best_worth:
+                    best, best_worth = state, total
+            if depth == self.most - len(start.slots):
+                break
+            beam = self._grown(beam, _FIRST if depth == 0 else _WIDTH)
+            if not beam:
+                break
+            if self._worth(beam[0]) > best_worth:
+                best, best_worth = beam[0], self._worth(beam[0])
+        return best
+
+    def _grown(self, beam: list[State], width: int) -> list[State]:
+        """The best sets with one more step."""
+        grown: dict[frozenset[tuple[str, int, tuple[float, ...]]], State] = {}
+        for state in beam:
+            ranked = sorted(self.scores(state).values(), key=lambda s: -s.evidence)
+            for one in ranked[:width]:
+                if one.slot is None or one.margin <= self.threshold:
+                    continue
+                slot = self.polished(one.slot, state)
+                new = self.state((*state.slots, slot), state.evidence + one.margin)
+                old = grown.get(new.keys)
+                if old is None or old.evidence < new.evidence:
+                    grown[new.keys] = new
+        return sorted(grown.values(), key=self._worth, reverse=True)[:_WIDTH]
+
+    def polished(self, slot: Slot, others: State) -> Slot:
+        """The slot with its shape refined, given what else is in the model."""
+        best, gain = slot, self._gain(slot, others)
+        for _ in range(12):
+            trials = [
+                self.remade(slot, Instance(e, slot.instance.channel))
+                for e in best.instance.effect.near()
+            ]
+            gains = [self._gain(trial, others) for trial in trials]
+            if not gains or max(gains) <= gain:
+                break
+            best, gain = trials[int(np.argmax(gains))], max(gains)
+        return best
+
+    def remade(self, slot: Slot, instance: Instance) -> Slot:
+        """A slot of another instance of the same effect."""
+        raw = self.problem.columns(instance.effect, instance.channel)
+        return Slot(slot.name, instance, raw, slot.change)
+
+    def _gain(self, slot: Slot, others: State) -> float:
+        """Sum of squares that a slot takes away."""
+        if not slot.raw.shape[1]:
+            return 0.0
+        rest = self.bank.space.rest(slot.raw)
+        rest = rest - others.added @ (others.added.T @ rest)
+        left = np.linalg.qr(rest)[0]
+        return float(np.sum((left.T @ others.residual) ** 2))
+
+    def _refined(self, state: State, forced: int) -> State:
+        """Exchange every step for a better name given the others; drop what is not needed."""
+        slots = list(state.slots)
+        for _ in range(_ROUNDS):
+            changed = False
+            for place in range(len(slots) - 1, forced - 1, -1):
+                others = self.state((*slots[:place], *slots[place + 1 :]))
+                ranked = self.scores(others)
+                best = max(ranked.values(), key=lambda s: s.evidence)
+                own = self.own_evidence(slots[place], others, ranked)
+                if max(one.margin for one in ranked.values()) <= self.threshold:
+                    del slots[place]
+                    changed = True
+                elif best.slot is not None and best.evidence > own + 1e-6:
+                    new = self.polished(best.slot, others)
+                    if new.key != slots[place].key and new.name != slots[place].name:
+                        slots[place], changed = new, True
+            if not changed:
+                break
+        return self.state(tuple(slots), state.evidence)
+
+    def own_evidence(self, slot: Slot, others: State, ranked: dict[str, Scored]) -> float:
+        """Evidence of the name of a slot given the others."""
+        return ranked[slot.name].evidence if slot.name in ranked else self._alone(slot, others)
+
+    def _alone(self, slot: Slot, others: State) -> float:
+        dof = self.bank.space.dof - others.added.shape[1]
+        gain = self._gain(slot, others)
+        count = slot.raw.shape[1]
+        return float(block_evidence(gain, count, others.rss, self.bank.space.prior, dof))
+
+
+def ranking(scores: dict[str, Scored], unknown: Scored) -> list[tuple[str, Scored, float]]:
+    """Names with unknown structure, best first, each with its probability."""
+    every = [*scores.items(), (UNKNOWN, unknown)]
+    every.sort(key=lambda item: -item[1].evidence)
+    values = np.array([one.evidence for _, one in every])
+    weight: FloatArray = np.exp(values - values.max())
+    weight = weight / weight.sum()
+    return [(name, one, float(w)) for (name, one), w in zip(every, weight, strict=True)]

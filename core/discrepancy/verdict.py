@@ -1,0 +1,115 @@
+"""One verdict, said in words."""
+
+from collections.abc import Mapping
+from typing import cast
+
+from core.discrepancy.engine import Engine
+from core.discrepancy.result import UNKNOWN, Gap, NoiseFloor, Smallest, Step
+from core.errors import Note, Severity
+
+_LARGE = 2.2
+_FAULTS = frozenset(
+    (
+        "stuck_reading",
+        "positions_swapped",
+        "mount_reversed",
+        "channels_permuted",
+        "rate_sign_reversed",
+    )
+)
+_EXCESS_P = 1e-4
+FEWEST = 3
+"""Degrees of freedom below which nothing is said."""
+
+
+def verdict_of(steps: tuple[Step, ...], noise: NoiseFloor, after: Gap) -> str:
+    """The verdict of a set of steps."""
+    if any(step.effect == UNKNOWN for step in steps):
+        return "unexplained_structure"
+    if any(step.indistinguishable_from for step in steps):
+        return "ambiguous"
+    if steps:
+        return "data_fault" if all(s.effect in _FAULTS for s in steps) else "explained"
+    return "excess_noise" if _excess(noise, after) else "adequate"
+
+
+def summary_of(verdict: str, steps: tuple[Step, ...], before: Gap, after: Gap) -> str:
+    """One or two sentences."""
+    named = ", ".join(step.name for step in steps)
+    closing = f"The gap goes from {before.gap:.2f} to {after.gap:.2f} noise floors."
+    texts = {
+        "adequate": f"The model explains the data: the gap is {before.gap:.2f} noise floors."
+        " What these rows could have shown is listed.",
+        "explained": f"Missing in the model: {named}. {closing}",
+        "data_fault": f"The data are at fault: {named}. {closing}",
+        "ambiguous": "Something is missing, and these data cannot tell which of several effects: "
+        + "; ".join(" or ".join([step.effect, *step.indistinguishable_from]) for step in steps)
+        + f". {closing}",
+        "unexplained_structure": "There is structure that no effect of the catalogue explains: "
+        + "; ".join(step.plain if step.effect == UNKNOWN else step.name for step in steps)
+        + ".",
+        "excess_noise": f"No effect stands out, but the noise is {before.gap:.2f} times what is"
+        " stated, or a part of it is.",
+    }
+    return texts[verdict]
+
+
+def notes_of(
+    engine: Engine, noise: NoiseFloor, verdict: str, smallest: tuple[Smallest, ...]
+) -> tuple[Note, ...]:
+    """Doubts about floor, reference values and what is invisible in principle."""
+    found = [*engine.problem.notes]
+
+    def say(severity: Severity, subject: str, text: str) -> None:
+        found.append(Note(severity, subject, text))
+
+    if noise.source != "replicates":
+        told = {
+            "y_se": "standard errors and certificates, not from replicates",
+            "residual": "the residuals alone, for neither replicates nor standard errors are there",
+        }[noise.source]
+        say(
+            Severity.WARNING,
+            "floor_not_measured",
+            f"the noise floor is from {told}; measure every position twice",
+        )
+    for name, ratio in _large(noise.ratios):
+        say(
+            Severity.WARNING,
+            "excess_noise",
+            f"the part {name!r} of the noise is {ratio:.1f} times what is stated or usual",
+        )
+    if engine.problem.run.test != "rate_table":
+        say(
+            Severity.INFO,
+            "invisible_in_principle",
+            "a wrong value of g, a common error of all angles and a tilt seen through one mounting"
+            " alone hide in scale factor, misalignment and bias; no number of rows shows them",
+        )
+    else:
+        say(
+            Severity.INFO,
+            "invisible_in_principle",
+            "an error of the table's speed in proportion to the rate hides in the scale factor;"
+            " only its period shows it",
+        )
+    temperature = engine.problem.stimulus.columns.get("temperature_c")
+    if temperature is not None and "scale_factor_temperature" in {s.effect for s in smallest}:
+        mean = float(cast(float, temperature.mean()))
+        say(Severity.INFO, "reference_temperature", f"temperatures count from {mean:.2f} degC")
+    if verdict in ("explained", "ambiguous"):
+        say(
+            Severity.INFO,
+            "not_yet_confirmed",
+            "named, not yet confirmed: only a new series with other angles or order confirms it",
+        )
+    return tuple(found)
+
+
+def _excess(noise: NoiseFloor, after: Gap) -> bool:
+    return bool(_large(noise.ratios)) or (after.p_value < _EXCESS_P and after.gap > _LARGE)
+
+
+def _large(ratios: Mapping[str, float]) -> list[tuple[str, float]]:
+    # What is not stated but only usual cannot exceed what is stated.
+    return [(n, r) for n, r in ratios.items() if r > _LARGE and n in ("white", "setting")]
