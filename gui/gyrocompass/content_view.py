@@ -6,7 +6,7 @@ from PySide6.QtGui import QPainter
 from PySide6.QtWidgets import QLabel, QSplitter, QStackedWidget, QVBoxLayout, QWidget
 
 from gui.gyrocompass.compass_view import CompassView
-from gui.gyrocompass.state import CompassState
+from gui.gyrocompass.state import Advice, CompassChoices, CompassState
 from gui.widgets.number_text import significant
 from gui.widgets.plot import Plot
 
@@ -21,7 +21,7 @@ class CompassContent(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.compass = CompassView()
-        self.plot = Plot(log_x=True, log_y=True)
+        self.plot: Plot | None = Plot(log_x=True, log_y=True)
         self.missing = QLabel()
         self.missing.setWordWrap(True)
         self.missing.setAlignment(Qt.AlignmentFlag.AlignCenter)
@@ -48,51 +48,55 @@ class CompassContent(QWidget):
         """Show a state."""
         before, self._state = self._state, state
         self.compass.render(state.rose)
-        self._below.setCurrentWidget(self.missing if state.advice is None else self.plot)
-        if state.advice is not None and (before is None or before.advice is not state.advice):
-            self._draw(state)
+        plot = self.plot
+        if plot is None or state.advice is None:
+            self._below.setCurrentWidget(self.missing)
+            return
+        self._below.setCurrentWidget(plot)
+        if before is None or before.advice is not state.advice:
+            self._draw(plot, state.advice, state.choices)
 
     def close_plot(self) -> None:
-        """Panels of pyqtgraph would outlive it as windows."""
-        self.plot.close()
+        """Panels of pyqtgraph would outlive it as windows; may be called again."""
+        if self.plot is not None:
+            plot, self.plot = self.plot, None
+            self._below.setCurrentWidget(self.missing)
+            plot.close()
 
-    def _draw(self, state: CompassState) -> None:
-        advice = state.advice
-        if advice is None:
-            return
-        curve, choices = advice.curve, state.choices
-        self.plot.clear_items()
-        self.plot.set_labels(
+    def _draw(self, plot: Plot, advice: Advice, choices: CompassChoices) -> None:
+        curve = advice.curve
+        plot.clear_items()
+        plot.set_labels(
             self.tr("averaging time at each heading, s"), self.tr("u of the heading, °")
         )
-        self.plot.add_curve(curve.seconds, curve.u_deg, 0)
+        plot.add_curve(curve.seconds, curve.u_deg, 0)
         if choices.target_deg > 0:
             level = np.full(2, choices.target_deg)
             ends = np.array([curve.seconds[0], curve.seconds[-1]])
             words = self.tr("wanted, {target}°").format(target=significant(choices.target_deg, 2))
-            self.plot.add_curve(ends, level, _ENOUGH, words, dashed=True)
-        self.plot.add_points(
+            plot.add_curve(ends, level, _ENOUGH, words, dashed=True)
+        plot.add_points(
             np.array([choices.average_s]),
             np.array([advice.now_deg]),
             _NOW,
             self.tr("as set, {u}°").format(u=significant(advice.now_deg, 2)),
         )
-        self.plot.add_points(
+        plot.add_points(
             np.array([curve.best_s]),
             np.array([curve.best_deg]),
             3,
             self.tr("best, {u}°").format(u=significant(curve.best_deg, 2)),
         )
-        self.plot.show_everything()
+        plot.show_everything()
 
     def paint(self, painter: QPainter, size: QSize) -> None:
         """Draw both on any painter, for export."""
-        drawn = self._state is not None and self._state.advice is not None
-        above = round(_COMPASS * size.height()) if drawn else size.height()
+        plot = self.plot if self._state is not None and self._state.advice is not None else None
+        above = size.height() if plot is None else round(_COMPASS * size.height())
         self.compass.paint(painter, QSize(size.width(), above))
-        if drawn:
+        if plot is not None:
             painter.translate(0, above)
-            self.plot.paint(painter, QSize(size.width(), size.height() - above))
+            plot.paint(painter, QSize(size.width(), size.height() - above))
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)

@@ -49,8 +49,7 @@ class MethodsTab(QObject):
         self.view.choose(key)
 
     def after_paint(self) -> None:
-        """The first page comes once the window stands."""
-        self.open(next(iter(PAGES)))
+        """Nothing: the first page comes when the tab is seen."""
 
     def why_busy(self) -> str:
         """Why the ports cannot be let go of."""

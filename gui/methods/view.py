@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from typing import Protocol
 
 from PySide6.QtCore import QEvent, QSize, Qt, Signal
+from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
@@ -107,6 +108,12 @@ class MethodsView(QWidget):
     def _on_row(self, row: int) -> None:
         if row >= 0:
             self.chosen.emit(self._keys[row])
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Open the first page when the tab is first seen."""
+        super().showEvent(event)
+        if self.list.currentRow() < 0:
+            self.list.setCurrentRow(0)
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
