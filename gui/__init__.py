@@ -9,6 +9,7 @@ measuring         step by step through a plan: what all measuring tabs share
 dividing_head     accelerometers on the dividing head: ClbAcc and Pointer
 drift             turn-ons in, a table for the microcontroller out
 rate_table        gyros on the rate table and on the head: ClbDUS
+thermal           sensors over temperature, from a cycle or a record
 live              watching and recording: CVGCom
 rig               the dock of the simulated rig
 services          what every tab is given

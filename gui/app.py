@@ -33,6 +33,7 @@ TABS: dict[str, str] = {
     "Accuracy": "gui.accuracy.tab",
     "Live": "gui.live.tab",
     "Allan": "gui.allan.tab",
+    "Thermal": "gui.thermal.tab",
     "Drift": "gui.drift.tab",
     "Methods": "gui.methods.tab",
 }

@@ -40,6 +40,8 @@ from core.version import SOFTWARE
 
 PROCEDURE = "sensors over temperature, source 002 (4) to (7)"
 HIGHEST = 3
+_MARGIN_C = 1.0
+"""Visits to one temperature of the chamber scatter by some tenths of a degree."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -134,7 +136,8 @@ class ThermalCalibration:
     def _refuse_beyond(self, temperature_c: FloatArray, extrapolate: bool) -> None:
         if extrapolate:
             return
-        if not (temperature_c.min() >= self.low_c and temperature_c.max() <= self.high_c):
+        low, high = self.low_c - _MARGIN_C, self.high_c + _MARGIN_C
+        if not (temperature_c.min() >= low and temperature_c.max() <= high):
             raise FitError(
                 f"{temperature_c.min():.1f} ... {temperature_c.max():.1f} degC leaves the measured"
                 f" {self.low_c:.1f} ... {self.high_c:.1f} degC; polynomials mean nothing outside"

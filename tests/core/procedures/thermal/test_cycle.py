@@ -53,6 +53,10 @@ def test_beyond_the_measured_temperatures_it_is_refused(make_chamber):
     with pytest.raises(FitError, match=r"90\.0 \.\.\. 90\.0 degC leaves the measured -40\.\d"):
         result.triad_at(90.0)
     assert np.isfinite(result.triad_at(90.0, extrapolate=True).k).all()
+    # Another visit to the hottest temperature, some tenths of a degree above the first.
+    assert np.isfinite(result.triad_at(result.high_c + 0.9).k).all()
+    with pytest.raises(FitError, match="leaves the measured"):
+        result.triad_at(result.high_c + 1.1)
 
 
 def test_few_temperatures(make_chamber):

@@ -1,0 +1,107 @@
+"""What the operator decides: orders, reference, g, outputs of a record."""
+
+import math
+from dataclasses import replace
+
+from PySide6.QtCore import QEvent, Signal
+from PySide6.QtWidgets import QFormLayout, QLabel, QLineEdit, QWidget
+
+from gui.thermal.state import FOUND, Settings
+from gui.widgets.fields import NumberField
+
+_HIGHEST = 5
+_UNKNOWN_C = -274.0
+"""Below absolute zero: the field shows that nothing was stated."""
+
+
+class SettingsView(QWidget):
+    """Form of `Settings`."""
+
+    decided = Signal(object)
+    """`Settings`."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._rendering = False
+        self._state = Settings()
+        self.bias_order = NumberField(FOUND, _HIGHEST)
+        self.scale_order = NumberField(FOUND, _HIGHEST)
+        self.reference = NumberField(_UNKNOWN_C, 300.0, 1, "°C")
+        self.gravity = NumberField(9.7, 9.9, 5, "m/s²")
+        self.outputs = QLineEdit()
+        fields = (self.bias_order, self.scale_order, self.reference, self.gravity)
+        self._fields = (*fields, self.outputs)
+        self._labels = [QLabel() for _ in self._fields]
+        form = QFormLayout(self)
+        unit = self.fontMetrics().height()
+        form.setContentsMargins(unit // 2, unit // 2, unit // 2, unit // 2)
+        form.setVerticalSpacing(unit // 3)
+        for label, field in zip(self._labels, self._fields, strict=True):
+            label.setBuddy(field)
+            form.addRow(label, field)
+            # Their largest numbers, which nobody enters, would make the pane too wide.
+            field.setMinimumWidth(6 * unit)
+        for field in fields:
+            field.valueChanged.connect(self._on_edited)
+        self.outputs.editingFinished.connect(self._on_edited)
+        self._retranslate()
+
+    def render(self, settings: Settings) -> None:
+        """Show what is decided."""
+        self._state = settings
+        self._rendering = True
+        self.bias_order.setValue(settings.bias_order)
+        self.scale_order.setValue(settings.scale_order)
+        stated = math.isfinite(settings.reference_c)
+        self.reference.setValue(settings.reference_c if stated else _UNKNOWN_C)
+        self.gravity.setValue(settings.g_mps2)
+        self.outputs.setText(settings.outputs)
+        self._rendering = False
+
+    def _on_edited(self, *_: object) -> None:
+        if self._rendering:
+            return
+        reference = self.reference.value()
+        settings = replace(
+            self._state,
+            bias_order=round(self.bias_order.value()),
+            scale_order=round(self.scale_order.value()),
+            reference_c=reference if reference > _UNKNOWN_C else self._unknown(),
+            g_mps2=self.gravity.value(),
+            outputs=self.outputs.text().strip(),
+        )
+        self.decided.emit(settings)
+
+    def _unknown(self) -> float:
+        """The same NaN as before, which alone is equal to itself in a comparison of settings."""
+        before = self._state.reference_c
+        return before if math.isnan(before) else math.nan
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.LanguageChange:
+            self._retranslate()
+
+    def _retranslate(self) -> None:
+        words = (
+            (
+                self.tr("Order of U0"),
+                self.tr(
+                    "Of the bias; of the outputs of a standing unit. Found: by temperatures"
+                    " left out."
+                ),
+            ),
+            (self.tr("Order of k"), self.tr("Of the scale factor.")),
+            (self.tr("T0"), self.tr("The constant terms hold at this temperature.")),
+            (self.tr("g"), self.tr("Taken where the files state none.")),
+            (self.tr("Outputs"), self.tr("Of a record: names, between commas.")),
+        )
+        for label, field, (text, tip) in zip(self._labels, self._fields, words, strict=True):
+            label.setText(text)
+            label.setToolTip(tip)
+            field.setToolTip(tip)
+            field.setAccessibleName(text)
+        self.bias_order.setSpecialValueText(self.tr("found"))
+        self.scale_order.setSpecialValueText(self.tr("found"))
+        self.reference.setSpecialValueText(self.tr("the first"))
+        self.outputs.setPlaceholderText(self.tr("all rates"))
