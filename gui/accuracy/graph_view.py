@@ -101,7 +101,7 @@ class ErrorGraph(QWidget):
             painter.drawText(label, Qt.AlignmentFlag.AlignCenter, tick_text(angle, across))
         painter.drawText(
             QRectF(plot.left(), plot.bottom() + 1.2 * unit, plot.width(), 1.2 * unit),
-            Qt.AlignmentFlag.AlignCenter,
+            Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter,
             self.tr("set angle, deg"),
         )
         painter.setPen(QColor(theme.line))
@@ -114,7 +114,7 @@ class ErrorGraph(QWidget):
         middle = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
         x = place.left()
         for series in self._state.series:
-            painter.setPen(QPen(QColor(theme.curves[series.colour]), 1))
+            painter.setPen(QPen(_colour(series.colour), 1))
             painter.drawLine(QPointF(x, place.center().y()), QPointF(x + unit, place.center().y()))
             _symbol(painter, QPointF(x + unit / 2, place.center().y()), series.colour, unit)
             x += 1.4 * unit
@@ -127,10 +127,12 @@ class ErrorGraph(QWidget):
             words = self.tr("{title}; limit ±{limit} lies outside").format(
                 title=words, limit=significant(self._state.limit, 3)
             )
-        room = QRectF(x, place.top(), place.right() - x, place.height())
-        painter.setPen(QColor(theme.muted))
-        words = metrics.elidedText(words, Qt.TextElideMode.ElideRight, int(room.width()))
         right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+        room = QRectF(x, place.top(), place.right() - x, place.height())
+        if metrics.horizontalAdvance(words) > room.width():
+            # Many traces leave no room beside them: below the plot there is some.
+            room = QRectF(place.left(), scale.plot.bottom() + 1.2 * unit, place.width(), 1.2 * unit)
+        painter.setPen(QColor(theme.muted))
         painter.drawText(room, right, words)
 
     def _limits(self, painter: QPainter, scale: "_Scale") -> None:
@@ -164,7 +166,7 @@ class ErrorGraph(QWidget):
             )
 
     def _trace(self, painter: QPainter, scale: "_Scale", series: Series) -> None:
-        colour = QColor(current_theme().curves[series.colour])
+        colour = _colour(series.colour)
         unit = painter.fontMetrics().height()
         rows = sorted(
             (x, y, series.u95[i] if series.u95 else 0.0)
@@ -173,7 +175,7 @@ class ErrorGraph(QWidget):
         )
         painter.setPen(QPen(colour, 1))
         # Traces stand a little beside each other, so that none hides another's intervals.
-        aside = 0.18 * unit * (series.colour - 1.5)
+        aside = 0.18 * unit * (series.colour % 4 - 1.5)
         points = [QPointF(scale.x(x) + aside, scale.y(y)) for x, y, _ in rows]
         for one, other in pairwise(points):
             painter.drawLine(one, other)
@@ -243,9 +245,14 @@ class _Scale:
         return self.plot.bottom() - (value - self.low) / (self.high - self.low) * self.plot.height()
 
 
+def _colour(kind: int) -> QColor:
+    curves = current_theme().curves
+    return QColor(curves[kind % len(curves)])
+
+
 def _symbol(painter: QPainter, at: QPointF, kind: int, unit: float) -> None:
     """A sign of its own for every trace: colour alone would not do."""
-    colour = QColor(current_theme().curves[kind])
+    colour = _colour(kind)
     r = 0.26 * unit
     painter.save()
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)

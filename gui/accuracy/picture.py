@@ -7,7 +7,7 @@ import numpy as np
 
 from core.arrays import FloatArray
 from core.fit.quantiles import student_t
-from core.procedures.accuracy import OWN, TITLES, Accuracy, Trace
+from core.procedures.accuracy import TITLES, Accuracy, Trace
 from core.samples.run import Run
 from gui.accuracy.state import GraphState, Series, TraceToggle
 from gui.accuracy.texts import kind_word, other_word, say, trace_word
@@ -57,25 +57,25 @@ def _page(
     shown = [trace for trace in found.traces if trace.source not in hidden]
     match page:
         case "error":
-            series = _series(found, shown, x, [t.error for t in shown], bars=True)
+            series = _series(shown, x, [t.error for t in shown], bars=True)
             limit = 0.0 if found.limit is None else found.limit.error_deg
             title = say("{angle} error, deg").format(angle=kind_word(found.kind))
             return GraphState(title, say("deg"), series, limit=limit)
         case "cross":
-            series = _series(found, shown, x, [t.cross_error for t in shown])
+            series = _series(shown, x, [t.cross_error for t in shown])
             title = say("{angle} while {other} is set, deg").format(
                 angle=other_word(found.kind), other=kind_word(found.kind)
             )
             return GraphState(title, say("deg"), series)
         case "heading":
             known = [t for t in shown if np.isfinite(t.heading).any()]
-            series = _series(found, known, x, [t.heading_error for t in known])
+            series = _series(known, x, [t.heading_error for t in known])
             hint = say("The unit tells no heading.")
             title = say("Heading, change against the first row, deg")
             return GraphState(title, say("deg"), series, hint=hint)
         case "current":
             turned = [_near(t.angle, x) for t in shown]
-            series = _series(found, shown, x, turned)
+            series = _series(shown, x, turned)
             title = say("{angle}, deg").format(angle=kind_word(found.kind))
             return GraphState(title, say("deg"), series, level=level)
         case _:
@@ -119,7 +119,6 @@ def _near(angle: FloatArray, x: FloatArray) -> FloatArray:
 
 
 def _series(
-    found: Accuracy,
     traces: list[Trace],
     x: FloatArray,
     values: list[FloatArray],
@@ -133,15 +132,12 @@ def _series(
             colours.index(trace.source),
             tuple(x.tolist()),
             tuple(y.tolist()),
-            tuple(expanded(found, trace).tolist()) if bars else (),
+            tuple(expanded(trace).tolist()) if bars else (),
         )
         for trace, y in zip(traces, values, strict=True)
     )
 
 
-def expanded(found: Accuracy, trace: Trace) -> FloatArray:
-    """Expanded uncertainty (n,) of the error of a trace, 95 %; with that of the calibration."""
-    u = trace.u_error
-    if trace.source == OWN:
-        u = np.hypot(u, np.nan_to_num(found.u_calibration))
-    return student_t(0.95, float("inf")) * u
+def expanded(trace: Trace) -> FloatArray:
+    """Expanded uncertainty (n,) of the error of a trace, 95 %, as the verdict counts it."""
+    return student_t(0.95, float("inf")) * trace.u_error

@@ -66,7 +66,7 @@ class AccuracyResultsView(ResultsView):
         self._rule.setText(state.rule)
         self._render_chips(state.chips)
         self._render_tabs(state)
-        self._render_toggles(state.traces)
+        self._render_toggles(state.traces if state.shown != "temperature" else ())
         self.graph.render(state.graph)
 
     def _render_chips(self, chips: tuple[Chip, ...]) -> None:

@@ -67,7 +67,7 @@ def error_table(found: Accuracy) -> TableState:
     for trace in found.traces:
         name = trace_word(trace.source)
         heads += [name, "±U"]
-        wide = expanded(found, trace).tolist()
+        wide = expanded(trace).tolist()
         columns.append([_angle(value) for value in trace.error.tolist()])
         columns.append([significant(u, 2) if u > 0 else _DASH for u in wide])
         if trace.verdicts:
@@ -95,6 +95,7 @@ def lab_table(found: Accuracy) -> TableState:
             *(fixed(float(value), 2) for value in found.codes[i]),
             *(fixed(float(value), 4) for value in found.force[i]),
             fixed(float(_told(own, found.kind)[i]), 4),
+            significant(float(found.u_calibration[i]), 2),
         )
         for i, set_deg in enumerate(_set(found))
     )
@@ -114,6 +115,7 @@ def lab_table(found: Accuracy) -> TableState:
             "a_y",
             "a_z",
             say("{kind} calculated").format(kind=name),
+            say("u of the calibration"),
         ),
         rows,
         0,

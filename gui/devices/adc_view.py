@@ -97,21 +97,21 @@ class AdcPanel(QWidget):
         self._samples.setText("   ".join(parts) if not state.hint else "")
         self._hint.setText(state.hint)
         self._hint.setVisible(bool(state.hint))
-        if self._model.replace(state.table):
-            self._fit_columns()
+        self._fit_columns(anew=self._model.replace(state.table))
 
     def copy(self) -> None:
         """Put all rows on the clipboard."""
         if self._state is not None:
             QGuiApplication.clipboard().setText(table_text(self._state.table))
 
-    def _fit_columns(self) -> None:
-        """Wide enough for the longest numbers, so that columns stand still while they run."""
-        metrics = self.fontMetrics()
-        for column, name in enumerate(self._model.table.header):
-            room = "  −00000.0000  " if column > 1 else "  gyro_temp_x  "
-            longest = max((f"  {name}  ", room if column != 1 else "  deg/s  "), key=len)
-            self.table.setColumnWidth(column, metrics.horizontalAdvance(longest))
+    def _fit_columns(self, *, anew: bool) -> None:
+        """Wide enough for the longest numbers so far: columns must not jitter while they run."""
+        header = self.table.horizontalHeader()
+        for column in range(len(self._model.table.header)):
+            hint = self.table.sizeHintForColumn(column)
+            needed = max(hint, header.sectionSizeHint(column)) + self.fontMetrics().height() // 2
+            if anew or needed > self.table.columnWidth(column):
+                self.table.setColumnWidth(column, needed)
 
     def sizeHint(self) -> QSize:
         unit = self.fontMetrics().height()
