@@ -14,7 +14,7 @@ from gui.messages import Messages
 from gui.widgets.chart_export import Paint, save_chart
 from gui.widgets.states import BannerState
 
-SOURCE = "export"
+SOURCE, FAILED = "export", "export failed"
 PICTURES = {"svg": "Charts, SVG", "png": "Charts, PNG", "pdf": "Charts, PDF"}
 
 
@@ -113,4 +113,5 @@ class Exporting(QObject):
         self._messages.show(SOURCE, BannerState(Severity.INFO, "Exported", str(path)))
 
     def _on_failed(self, error: LabError) -> None:
-        self._messages.tell_error(SOURCE, "Not exported", error)
+        # Not to be replaced by the success of the next one in the queue.
+        self._messages.tell_error(FAILED, "Not exported", error)

@@ -1,5 +1,6 @@
 """The page Means without a window: what was set, the run file, refusals."""
 
+import time
 from pathlib import Path
 
 import numpy as np
@@ -10,9 +11,12 @@ from PySide6.QtTest import QTest
 from pytestqt.qtbot import QtBot
 
 from core.arrays import frozen, frozen_int
+from core.errors import FormatError
 from core.records.cvgcom import channel_of
 from core.records.means import RecordMean, mean_of
 from core.records.run_file import read_run
+from gui.jobs import Jobs
+from gui.live.exporting import Exporting
 from gui.live.means import POSITIONS, RATES, Means
 from gui.live.means_view import MeansView
 from gui.messages import Messages
@@ -103,3 +107,35 @@ def test_a_column_is_pasted_and_a_cell_edited(means: Means, qtbot: QtBot) -> Non
     view.hand_over.click()
     assert means._messages.current is not None
     assert means._messages.current.what == "Run file written"
+
+
+def test_files_are_written_one_after_another(qtbot: QtBot, tmp_path: Path) -> None:
+    jobs, messages = Jobs(), Messages()
+    exporting = Exporting(jobs, messages)
+    running: list[int] = []
+    most: list[int] = []
+    came: list[Path] = []
+    exporting.averaged.connect(lambda _, folder: came.append(folder))
+
+    def make() -> list[RecordMean]:
+        running.append(1)
+        most.append(len(running))
+        time.sleep(0.05)
+        running.pop()
+        return [averaged(0.1, 1)]
+
+    folders = [tmp_path / name for name in "abc"]
+    exporting.means(make, folders[0])
+    exporting.means(make, folders[1])
+    exporting.means(refuse, tmp_path / "none")
+    exporting.means(make, folders[2])
+    qtbot.waitUntil(lambda: came == folders)
+    assert most == [1, 1, 1]
+    assert messages.current is not None
+    assert "no such record" in messages.current.meaning
+    jobs.close()
+
+
+def refuse() -> list[RecordMean]:
+    """A mean that cannot be made."""
+    raise FormatError("x", "no such record")
