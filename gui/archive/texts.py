@@ -9,7 +9,7 @@ from core.archive.entry import Entry, Quantity
 from core.archive.history import History
 from core.archive.limits import Limit
 from core.archive.reprocess import Redone
-from gui.widgets.number_text import decimals_of, fixed, significant, value_and_uncertainty
+from gui.widgets.number_text import MINUS, decimals_of, fixed, significant, value_and_uncertainty
 
 DASH = "\N{EM DASH}"
 
@@ -55,18 +55,19 @@ def spoken(name: str) -> str:
 
 
 def compared_row(row: Difference) -> tuple[str, ...]:
-    """Channel, parameter, both values, difference, its expanded uncertainty, ratio, unit."""
+    """A difference as a line, in the columns of `COMPARED`."""
     known = row.u > 0.0 and math.isfinite(row.u)
     decimals = decimals_of(2.0 * row.u) if known else 0
     numbers = (row.first, row.second, row.difference)
     texts = [fixed(x, decimals) if known else significant(x, 7) for x in numbers]
     ratio = fixed(row.ratio, 1) if known else DASH
     expanded = fixed(2.0 * row.u, decimals) if known else DASH
-    mark = "  !" if row.marked else ""
-    return (row.channel, spoken(row.name), *texts, expanded, ratio + mark, row.unit)
+    mark = "differs" if row.marked else ""
+    names = (row.channel, spoken(row.name), mark)
+    return (*names, ratio, texts[2], expanded, row.unit, texts[0], texts[1])
 
 
-COMPARED = ("channel", "parameter", "first", "second", "difference", "U (k = 2)", "d / u", "unit")
+COMPARED = ("channel", "parameter", "", "d / u", "d", "U (k = 2)", "unit", "first", "second")
 
 
 def compared_summary(compared: Compared) -> str:
@@ -98,9 +99,9 @@ def statistics_rows(history: History) -> list[tuple[str, ...]]:
     rows = [("mean", mean, "", unit)]
     if known:
         value, u = value_and_uncertainty(spread, history.u_repeatability)
-        rows.append(("repeatability, turn-on to turn-on, 1 s", value, u, unit))
+        rows.append(("repeatability s", value, u, unit))
         excess = fixed(history.excess, decimals_of(history.u_repeatability))
-        rows.append(("  of it beyond the uncertainties", excess, "", unit))
+        rows.append(("s beyond the u", excess, "", unit))
     if history.drift is not None:
         value, expanded = value_and_uncertainty(history.drift.value, history.drift.expanded())
         seen = "drift" if history.drift.significant else "drift, not significant"
@@ -112,26 +113,29 @@ def statistics_rows(history: History) -> list[tuple[str, ...]]:
 
 def limits_text(limit: Limit) -> str:
     """Both limits, or the one there is."""
-    low, high = limit.low, limit.high
-    if math.isinf(low):
-        return f"≤ {significant(high, 6)}"
-    if math.isinf(high):
-        return f"≥ {significant(low, 6)}"
-    return f"{significant(low, 6)} … {significant(high, 6)}"
+    low, high = (f"{bound:g}".replace("-", MINUS) for bound in (limit.low, limit.high))
+    if math.isinf(limit.low):
+        return f"≤ {high}"
+    return f"≥ {low}" if math.isinf(limit.high) else f"{low} … {high}"
 
 
 def redone_row(one: Redone) -> tuple[str, ...]:
-    """A position decoded again: step, samples stored and found, largest difference, words."""
+    """A position decoded again, in the columns of `REDONE`."""
     step = one.position.step
     where = f"{step.number}  {step.mount} {step.head_deg:g}°".rstrip()
+    stored = str(one.position.accumulation.n)
     if one.why_not:
-        return (where, str(one.position.accumulation.n), DASH, DASH, one.why_not)
+        return (where, "not possible", stored, DASH, DASH)
     largest = DASH if math.isnan(one.largest) else significant(one.largest, 3)
-    words = "the same" if one.same else "differs"
-    return (where, str(one.position.accumulation.n), str(one.n), largest, words)
+    return (where, "the same" if one.same else "differs", stored, str(one.n), largest)
 
 
-REDONE = ("position", "samples", "again", "largest d / se", "")
+def reasons(found: Iterable[Redone]) -> tuple[str, ...]:
+    """Why positions could not be decoded, each reason once."""
+    return tuple(dict.fromkeys(one.why_not for one in found if one.why_not))
+
+
+REDONE = ("position", "", "samples", "again", "largest d / se")
 
 
 def table(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:

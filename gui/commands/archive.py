@@ -223,7 +223,7 @@ def _reprocess(archive: "Archive", args: argparse.Namespace) -> Answer:
     from core.records.session.record import read_session
     from drivers.profile import load_profiles
     from gui.archive.raw import TodaysDecoder
-    from gui.archive.texts import REDONE, redone_row, table
+    from gui.archive.texts import REDONE, reasons, redone_row, table
 
     entry = _entries(archive, args, 1)[0]
     if entry.kind != "session":
@@ -245,7 +245,8 @@ def _reprocess(archive: "Archive", args: argparse.Namespace) -> Answer:
         for one in found
     ]
     same = sum(one.same for one in found)
-    text = table(REDONE, map(redone_row, found)) + f"\n{same} of {len(found)} the same"
+    lines = [table(REDONE, map(redone_row, found)), *reasons(found)]
+    text = "\n".join([*lines, f"{same} of {len(found)} the same"])
     return Answer(data, text, code=0 if same == len(found) else 1)
 
 

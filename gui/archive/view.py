@@ -1,0 +1,225 @@
+"""Search and list left, history middle, findings right, actions below."""
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QCoreApplication, QEvent, Qt
+from PySide6.QtGui import QKeySequence, QShortcut, QShowEvent
+from PySide6.QtWidgets import (
+    QComboBox,
+    QFileDialog,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QSizePolicy,
+    QSplitter,
+    QStackedWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from core.archive.entry import KINDS
+from gui.archive.entries_view import EntryTable
+from gui.archive.presenter import ArchivePresenter
+from gui.archive.state import ArchiveState
+from gui.widgets.action_bar import ActionBar
+from gui.widgets.findings_view import FindingsView
+
+if TYPE_CHECKING:
+    from gui.archive.history_view import HistoryPlot
+
+
+class ArchiveView(QWidget):
+    """Shows an `ArchiveState`."""
+
+    def __init__(self, presenter: ArchivePresenter, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._presenter = presenter
+        self._state: ArchiveState | None = None
+        self._header: tuple[str, ...] = ()
+        self.search, self.kind = QLineEdit(), QComboBox()
+        self.status, self.hint = QLabel(), QLabel()
+        self.table = EntryTable()
+        self.parameter = QComboBox()
+        self.findings = FindingsView()
+        self.action_bar = ActionBar()
+        self.plot: HistoryPlot | None = None
+        self._parameters: tuple[str, ...] = ()
+        self._dialog: QFileDialog | None = None
+        self._middle = QStackedWidget()
+        self._build()
+        self._retranslate()
+        self._connect()
+        self.render(presenter.state)
+
+    def _build(self) -> None:
+        unit = self.fontMetrics().height()
+        self.search.setClearButtonEnabled(True)
+        self.status.setContentsMargins(unit // 2, unit // 4, unit // 2, unit // 4)
+        left = QWidget()
+        column = QVBoxLayout(left)
+        column.setContentsMargins(unit // 2, unit // 2, 0, 0)
+        column.setSpacing(unit // 4)
+        top = QHBoxLayout()
+        top.setSpacing(unit // 2)
+        top.addWidget(self.search, 1)
+        top.addWidget(self.kind)
+        column.addLayout(top)
+        column.addWidget(self.table, 1)
+        column.addWidget(self.status)
+        self.hint.setWordWrap(True)
+        self.hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.hint.setTextFormat(Qt.TextFormat.PlainText)
+        font = self.hint.font()
+        font.setPointSizeF(font.pointSizeF() * 1.2)
+        self.hint.setFont(font)
+        self.hint.setContentsMargins(2 * unit, unit, 2 * unit, unit)
+        self._page = QWidget()
+        self._plot_column = QVBoxLayout(self._page)
+        self._plot_column.setContentsMargins(unit // 2, unit // 2, 0, 0)
+        self._plot_column.setSpacing(unit // 4)
+        self.parameter.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self._plot_column.addWidget(self.parameter)
+        self._middle.addWidget(self.hint)
+        self._middle.addWidget(self._page)
+        across = QSplitter(Qt.Orientation.Horizontal)
+        for part in (left, self._middle, self.findings):
+            across.addWidget(part)
+        across.setChildrenCollapsible(False)
+        across.setStretchFactor(0, 2)
+        across.setStretchFactor(1, 2)
+        across.setStretchFactor(2, 1)
+        across.setSizes([29 * unit, 22 * unit, 30 * unit])
+        rows = QVBoxLayout(self)
+        rows.setContentsMargins(0, 0, 0, 0)
+        rows.setSpacing(0)
+        rows.addWidget(across, 1)
+        rows.addWidget(self.action_bar)
+
+    def _connect(self) -> None:
+        presenter = self._presenter
+        self.search.textChanged.connect(self._on_search)
+        self.kind.activated.connect(self._on_search)
+        self.table.chosen.connect(presenter.choose)
+        self.table.opened.connect(self._on_opened)
+        self.parameter.activated.connect(presenter.follow)
+        self.action_bar.triggered.connect(self._on_action)
+        presenter.changed.connect(self.render)
+        find = QShortcut(QKeySequence(QKeySequence.StandardKey.Find), self)
+        find.activated.connect(self._on_find)
+
+    def put_plot(self, plot: "HistoryPlot") -> None:
+        """Put the plot in its place; it is slow to import, so that it comes after the window."""
+        self.plot = plot
+        self._plot_column.addWidget(plot, 1)
+        self._render_plot()
+
+    def drop_plot(self) -> None:
+        """Close the plot: panels of pyqtgraph would outlive it as windows; may be called again."""
+        if self.plot is not None:
+            plot, self.plot = self.plot, None
+            self._middle.setCurrentWidget(self.hint)
+            plot.close()
+
+    def render(self, state: ArchiveState) -> None:
+        """Show a state."""
+        self._state = state
+        self.table.render_rows(state.rows, self._header, state.chosen)
+        self.status.setText(state.status)
+        self.hint.setText(state.hint)
+        self._render_parameters(state)
+        self.findings.render(state.findings)
+        self.findings.setVisible(state.findings is not None)
+        self.action_bar.render(state.actions)
+        self._render_plot()
+
+    def _render_parameters(self, state: ArchiveState) -> None:
+        if state.parameters != self._parameters:
+            self._parameters = state.parameters
+            self.parameter.clear()
+            self.parameter.addItems(list(state.parameters))
+        if self.parameter.currentIndex() != state.parameter:
+            self.parameter.setCurrentIndex(state.parameter)
+
+    def _render_plot(self) -> None:
+        state = self._state
+        if state is None or state.history is None or self.plot is None:
+            self._middle.setCurrentWidget(self.hint)
+            return
+        self._middle.setCurrentWidget(self._page)
+        self.plot.render_history(state.history)
+
+    # --- what the operator does -------------------------------------------------------------------
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        if not event.spontaneous():
+            self._presenter.shown()
+
+    def _on_search(self) -> None:
+        self._presenter.look_for(self.search.text(), self.kind.currentData() or "")
+
+    def _on_find(self) -> None:
+        self.search.setFocus()
+        self.search.selectAll()
+
+    def _on_opened(self) -> None:
+        self._presenter.act("open")
+
+    def _on_action(self, key: str) -> None:
+        if key == "import":
+            self._open_dialog()
+        else:
+            self._presenter.act(key)
+
+    def _open_dialog(self) -> None:
+        """The folder dialog; it blocks nothing."""
+        if self._dialog is None:
+            dialog = QFileDialog(self, self.tr("Import Folder"))
+            dialog.setFileMode(QFileDialog.FileMode.Directory)
+            dialog.setOption(QFileDialog.Option.ShowDirsOnly, True)
+            dialog.fileSelected.connect(self._presenter.import_folder)
+            self._dialog = dialog
+        self._dialog.show()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.LanguageChange:
+            self._retranslate()
+            self.render(self._presenter.state)
+
+    def _retranslate(self) -> None:
+        self.search.setPlaceholderText(
+            self.tr("Serial number, date, plan, operator, verdict … (Ctrl+F)")
+        )
+        self.search.setAccessibleName(self.tr("Search the archive"))
+        self.kind.setAccessibleName(self.tr("Kind of entries"))
+        self.parameter.setAccessibleName(self.tr("Parameter that is followed"))
+        self.table.setAccessibleName(self.tr("Entries"))
+        self._header = (
+            self.tr("Serial no."),
+            self.tr("Kind"),
+            self.tr("Measured"),
+            "°C",
+            self.tr("Verdict"),
+            self.tr("Operator"),
+            self.tr("Plan or procedure"),
+        )
+        chosen = self.kind.currentIndex()
+        self.kind.clear()
+        self.kind.addItem(self.tr("all kinds"), "")
+        for kind in KINDS:
+            self.kind.addItem(_kind(kind), kind)
+        self.kind.setCurrentIndex(max(chosen, 0))
+
+
+def _kind(kind: str) -> str:
+    words = {
+        "session": QCoreApplication.translate("ArchiveView", "sessions"),
+        "calibration": QCoreApplication.translate("ArchiveView", "calibrations"),
+        "run": QCoreApplication.translate("ArchiveView", "run files"),
+        "legacy": QCoreApplication.translate("ArchiveView", "old files"),
+        "record": QCoreApplication.translate("ArchiveView", "records"),
+        "means": QCoreApplication.translate("ArchiveView", "means"),
+        "noise": QCoreApplication.translate("ArchiveView", "noise"),
+    }
+    return words[kind]
