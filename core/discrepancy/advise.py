@@ -117,7 +117,8 @@ def _values(engine: Engine, member: _Rival) -> FloatArray:
     others = engine.search.state(member.slots[:-1])
     rest = engine.search.bank.space.rest(member.slots[-1].raw)
     rest = rest - others.added @ (others.added.T @ rest)
-    return np.linalg.lstsq(rest, others.residual, rcond=None)[0]
+    values = np.linalg.lstsq(rest, others.residual, rcond=None)[0]
+    return np.asarray(values, dtype=np.float64)
 
 
 def _decided(distance: float) -> float:

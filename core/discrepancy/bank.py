@@ -126,9 +126,9 @@ class Projected:
         gram: dict[int, FloatArray] = {}
         members: dict[int, IntArray] = {}
         for p in sorted(set(bank.count.tolist())):
-            chosen = np.flatnonzero(bank.count == p)
+            chosen = np.flatnonzero(bank.count == p).astype(np.int64)
             members[p] = chosen
-            places = bank.first[chosen][:, None] + np.arange(p)
+            places = bank.first[chosen][:, None] + np.arange(p, dtype=np.int64)
             blocks = columns[:, places]  # (n, m', p)
             gram[p] = np.einsum("nmp,nmq->mpq", blocks, blocks)
         seen = np.array([bool(np.any(visible[bank.block(i)])) for i in range(len(bank.instances))])

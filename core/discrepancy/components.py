@@ -10,6 +10,7 @@ from core.discrepancy.settings import Settings
 from core.units import PPM, RAD_PER_ARCSEC
 
 _CERTIFICATE = 0.45
+_DRIFTING = 0.55
 _FAST, _SLOW = 1.0 / 40.0, 1.0 / 6.0
 
 
@@ -53,7 +54,8 @@ def components_of(problem: Problem, settings: Settings) -> tuple[Component, ...]
     apart = np.abs(t[:, None] - t[None, :])
     for name, tau, share in (("drift", _FAST, 0.5), ("slow_drift", _SLOW, 0.5)):
         drift = share * typical**2 * np.exp(-apart / (tau * max(float(np.ptp(t)), 1e-9)))
-        found.append(Component(name, np.kron(np.eye(c), drift), 0.7))
+        matrix = np.asarray(np.kron(np.eye(c), drift), dtype=np.float64)
+        found.append(Component(name, matrix, _DRIFTING))
     return tuple(found)
 
 

@@ -147,8 +147,11 @@ def _powers(values: FloatArray, highest: int = _POWERS) -> FloatArray:
     middle, half = 0.5 * (values.max() + values.min()), 0.5 * float(np.ptp(values))
     x = (values - middle) / (half if half > 0.0 else 1.0)
     count = min(highest, len(np.unique(values.round(9))) - 1)
-    legendre = np.polynomial.legendre.legvander(x, max(count, 0))[:, 1:]
-    return legendre * (2.0 / np.arange(2, legendre.shape[1] + 2))
+    one = np.eye(count + 1)
+    return np.column_stack(
+        [np.polynomial.Legendre(one[k])(x) * (2.0 / (k + 1)) for k in range(1, count + 1)]
+        or [np.zeros((len(x), 0))]
+    )
 
 
 def _waves(t: FloatArray) -> FloatArray:

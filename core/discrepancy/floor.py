@@ -127,13 +127,14 @@ def _smooth(problem: Problem) -> FloatArray:
         curves = np.column_stack([np.ones_like(angle), *waves])
     mount = problem.stimulus.column("mount")
     by_mount = np.hstack([curves * (mount == one)[:, None] for one in np.unique(mount)])
-    return np.hstack([np.kron(np.eye(problem.channels), by_mount), _runs(problem)])
+    own = np.kron(np.eye(problem.channels), by_mount)
+    return np.asarray(np.hstack([own, _runs(problem)]), dtype=np.float64)
 
 
 def _runs(problem: Problem) -> FloatArray:
     run = problem.run.run
     offsets = np.equal.outer(run, np.unique(run)).astype(np.float64)
-    return np.kron(np.eye(problem.channels), offsets)
+    return np.asarray(np.kron(np.eye(problem.channels), offsets), dtype=np.float64)
 
 
 def _timely(problem: Problem) -> FloatArray:

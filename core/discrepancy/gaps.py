@@ -10,14 +10,13 @@ from core.discrepancy.engine import Engine
 from core.discrepancy.result import Gap
 from core.discrepancy.slots import State
 from core.discrepancy.space import orthonormal
+from core.fit.quantiles import f_sf
 
 _FOLDS = 5
 
 
 def gap_of(engine: Engine, state: State) -> Gap:
     """The gap of a state."""
-    from scipy.special import fdtrc
-
     space = engine.search.bank.space
     dof = max(space.dof - state.added.shape[1], 1)
     raw = space.chol @ state.residual
@@ -27,7 +26,7 @@ def gap_of(engine: Engine, state: State) -> Gap:
         gap=math.sqrt(reduced),
         chi2_red=reduced,
         dof=space.dof - state.added.shape[1],
-        p_value=float(fdtrc(dof, max(space.prior, 1.0), reduced)),
+        p_value=f_sf(reduced, dof, max(space.prior, 1.0)),
         lack_p=_lack_of_fit(engine, state),
     )
 
@@ -67,8 +66,6 @@ def held_out_gap(engine: Engine, state: State) -> float:
 
 def _lack_of_fit(engine: Engine, state: State) -> float:
     """P value of what positions leave beyond what their replicates show (NIST 4.6.1)."""
-    from scipy.special import fdtrc
-
     problem, space = engine.problem, engine.search.bank.space
     cell = cells(problem)
     groups = np.equal.outer(cell, np.unique(cell)).astype(np.float64)
@@ -80,7 +77,7 @@ def _lack_of_fit(engine: Engine, state: State) -> float:
     lack = float(np.sum((between.T @ state.residual) ** 2))
     level = (state.rss - lack + space.prior) / (pure_dof + space.prior)
     ratio = lack / between.shape[1] / level
-    return float(fdtrc(between.shape[1], pure_dof + space.prior, ratio))
+    return f_sf(ratio, between.shape[1], pure_dof + space.prior)
 
 
 def predicted(engine: Engine, state: State) -> FloatArray:

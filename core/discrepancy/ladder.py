@@ -211,7 +211,7 @@ def _not_enough(run: Run, why: str) -> Explanation:
         predicted_before=unknown,
         predicted=unknown,
         sigma=unknown,
-        channel=frozen_int(np.repeat(np.arange(c), n)),
+        channel=frozen_int([channel for channel in range(c) for _ in range(n)]),
         channels=run.channels,
         unit=run.unit,
     )

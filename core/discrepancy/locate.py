@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from core.arrays import FloatArray, frozen, frozen_int
+from core.arrays import FloatArray, IntArray, frozen, frozen_int
 from core.discrepancy.curves import Curve
 from core.discrepancy.engine import Engine
 from core.discrepancy.result import Where
@@ -84,9 +84,10 @@ def _where(
     )
 
 
-def _bins(x: FloatArray) -> FloatArray:
+def _bins(x: FloatArray) -> IntArray:
     """Number of the bin of each row; bins ascend and none is empty."""
     values, place = np.unique(x.round(9), return_inverse=True)
     if len(values) <= _KNOTS:
-        return place
-    return np.unique(place * _KNOTS // len(values), return_inverse=True)[1]
+        return place.astype(np.int64)
+    coarse = place * _KNOTS // len(values)
+    return np.unique(coarse, return_inverse=True)[1].astype(np.int64)

@@ -23,7 +23,7 @@ def smallest_of(engine: Engine) -> tuple[Smallest, ...]:
         if not len(own):
             continue
         blocks = [projected.columns[:, bank.block(int(i))] for i in own]
-        visible = np.array([math.sqrt(float(np.mean(np.sum(b**2, axis=0)))) for b in blocks])
+        visible = np.array([math.sqrt(float(np.sum(b**2)) / b.shape[1]) for b in blocks])
         middle = int(np.argsort(visible)[len(visible) // 2])
         instance = bank.instances[int(own[middle])]
         column = blocks[middle][:, 0]

@@ -216,7 +216,7 @@ def _robust(design: FloatArray, y: FloatArray) -> FloatArray:
         if scale <= 0.0:
             break
         weight = np.minimum(1.0, 2.0 * scale / np.maximum(residual, 1e-300))
-    return values
+    return np.asarray(values, dtype=np.float64)
 
 
 def _effects(run: Run, stimulus: Stimulus) -> tuple[tuple[Effect, ...], dict[str, str]]:

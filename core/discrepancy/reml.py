@@ -14,6 +14,7 @@ from core.discrepancy.components import Component
 _ROUNDS = 8
 _CLIP = 3.0
 _FEWEST = 4
+_TOGETHER = 0.85
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -42,6 +43,18 @@ class Sizes:
         return Sizes(self.ratio * np.exp(0.5 * step), self.spread, self.dof)
 
 
+def prior_of(parts: tuple[Component, ...]) -> FloatArray:
+    """Covariance (k, k) of the logarithms of the variances before anything is measured.
+
+    Parts of one family (``drift``, ``slow_drift``) are large or small together.
+    """
+    spread = np.array([2.0 * part.spread for part in parts])
+    family = [part.name.removeprefix("slow_") for part in parts]
+    together = np.array([[_TOGETHER if a == b else 0.0 for a in family] for b in family])
+    np.fill_diagonal(together, 1.0)
+    return together * np.outer(spread, spread)
+
+
 def find_sizes(parts: tuple[Component, ...], y: FloatArray, nuisance: FloatArray) -> Sizes:
     """Find the sizes.
 
@@ -51,32 +64,35 @@ def find_sizes(parts: tuple[Component, ...], y: FloatArray, nuisance: FloatArray
     y : (n,) outputs
     nuisance : (n, q) columns whose span is left out
     """
-    prior = np.array([2.0 * part.spread for part in parts])
+    prior = prior_of(parts)
+    precision = np.linalg.inv(prior)
     contrasts = _complement(nuisance)
-    stated = Sizes(np.ones(len(parts)), np.diag(prior**2), contrasts.shape[1])
+    stated = Sizes(np.ones(len(parts)), prior, contrasts.shape[1])
     if contrasts.shape[1] < _FEWEST:
         return stated
     u = contrasts.T @ _winsorised(contrasts @ (contrasts.T @ y))
     matrices = [contrasts.T @ part.matrix @ contrasts for part in parts]
     log = np.zeros(len(parts))
-    curvature = np.diag(1.0 / prior**2)
+    curvature = precision
     for _ in range(_ROUNDS):
         weights = np.exp(log)
-        inverse = np.linalg.inv(np.sum([w * m for w, m in zip(weights, matrices, strict=True)], 0))
+        total: FloatArray = np.sum([w * m for w, m in zip(weights, matrices, strict=True)], axis=0)
+        inverse: FloatArray = np.asarray(np.linalg.inv(total), dtype=np.float64)
         products: list[FloatArray] = [
             np.asarray(w * inverse @ m, dtype=np.float64)
             for w, m in zip(weights, matrices, strict=True)
         ]
         white = inverse @ u
         fit = np.array([w * white @ m @ white for w, m in zip(weights, matrices, strict=True)])
-        slope = 0.5 * (fit - [np.trace(p) for p in products]) - log / prior**2
+        slope = 0.5 * (fit - [np.trace(p) for p in products]) - precision @ log
         information = np.array([[0.5 * np.sum(p * q.T) for q in products] for p in products])
-        curvature = information + np.diag(1.0 / prior**2)
+        curvature = information + precision
         step = np.clip(np.linalg.solve(curvature, slope), -1.5, 1.5)
         log = log + step
         if np.max(np.abs(step)) < 0.02:
             break
-    return Sizes(np.exp(0.5 * log), np.linalg.inv(curvature), contrasts.shape[1])
+    spread = np.asarray(np.linalg.inv(curvature), dtype=np.float64)
+    return Sizes(np.exp(0.5 * log), spread, contrasts.shape[1])
 
 
 def _complement(columns: FloatArray) -> FloatArray:

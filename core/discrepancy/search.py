@@ -137,7 +137,7 @@ class Search:
             if ranked[0].evidence - ranked[1].evidence < _AHEAD:
                 break
             slot = self.polished(ranked[0].slot, state)
-            state = self.state((*state.slots, slot), state.evidence + ranked[0].margin)
+            state = self.state((*state.slots, slot), state.evidence + ranked[0].evidence)
         return state
 
     def _worth(self, state: State) -> float:
@@ -149,8 +149,9 @@ class Search:
         for depth in range(self.most - len(start.slots) + 1):
             for state in beam[:3]:
                 # Unknown structure ends a set, for as a step of its own it swallows two effects.
-                total = self._worth(state) + self.unknown(state).margin - self.threshold
-                if total > best_worth:
+                end = self.unknown(state)
+                total = self._worth(state) + end.evidence - self.threshold
+                if end.margin > self.threshold and total > best_worth:
                     best, best_worth = state, total
             if depth == self.most - len(start.slots):
                 break
@@ -170,7 +171,7 @@ class Search:
                 if one.slot is None or one.margin <= self.threshold:
                     continue
                 slot = self.polished(one.slot, state)
-                new = self.state((*state.slots, slot), state.evidence + one.margin)
+                new = self.state((*state.slots, slot), state.evidence + one.evidence)
                 old = grown.get(new.keys)
                 if old is None or old.evidence < new.evidence:
                     grown[new.keys] = new

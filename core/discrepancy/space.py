@@ -30,7 +30,8 @@ class Space:
     def of(cls, covariance: FloatArray, design: FloatArray, prior: float) -> "Space":
         """The space of a covariance and a design of full rank."""
         jitter = 1e-12 * float(np.mean(np.diag(covariance)))
-        chol = np.linalg.cholesky(covariance + jitter * np.eye(len(covariance)))
+        regular = covariance + jitter * np.eye(len(covariance))
+        chol = np.asarray(np.linalg.cholesky(regular), dtype=np.float64)
         basis = np.linalg.qr(_solve(chol, design / np.linalg.norm(design, axis=0)))[0]
         return cls(chol, basis, design.shape[0] - design.shape[1], prior)
 

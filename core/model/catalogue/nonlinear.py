@@ -136,8 +136,8 @@ class CrossAxisSquare(Effect):
         )
 
     def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
-        """Each axis alone, and both."""
-        return (*(CrossAxisSquare(axis) for axis in sensor.cross_axes), self)
+        """Each axis alone; both together are the square of the own axis, for a^2 is constant."""
+        return tuple(CrossAxisSquare(axis) for axis in sensor.cross_axes)
 
 
 class CrossCoupling(Effect):
@@ -178,8 +178,8 @@ class CrossCoupling(Effect):
         return small_gain(sensor) * column(*(a[:, i] * a[:, j] for i, j in self._acting()))
 
     def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
-        """Each product alone, and all."""
-        return (*(CrossCoupling(AXES[i] + AXES[j]) for i, j in _PAIRS), self)
+        """Each product alone."""
+        return tuple(CrossCoupling(AXES[i] + AXES[j]) for i, j in _PAIRS)
 
 
 class ScaleFactorAsymmetry(Effect):

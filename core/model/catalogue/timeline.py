@@ -179,7 +179,8 @@ class BiasJump(Effect):
 
     def columns(self, stimulus: Stimulus, sensor: Sensor) -> FloatArray:
         """Ones from that row on."""
-        return column(small_gain(sensor) * (np.arange(len(stimulus)) >= self._row))
+        after = (np.arange(len(stimulus)) >= self._row).astype(np.float64)
+        return column(small_gain(sensor) * after)
 
     def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
         """After every row but the outermost."""
