@@ -4,7 +4,7 @@ Random walk and bias instability come from the Allan analysis; where it was not 
 stay empty, and say so.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from core.errors import FitError
@@ -100,7 +100,21 @@ class Comparison:
     def texts(self) -> list[list[str]]:
         """Cells as text with expanded uncertainty (95 %): heading, then one list a row."""
         heading = ["", *self.columns]
-        return [heading, *([_title(row), *map(_text, row.cells)] for row in self.rows)]
+        return [heading, *([title_of(row), *map(_text, row.cells)] for row in self.rows)]
+
+
+@dataclass(frozen=True, slots=True)
+class Column:
+    """What is known of one unit, from whatever source.
+
+    Parameters
+    ----------
+    name : heading
+    quantities : estimates by the identifiers of `ROWS`
+    """
+
+    name: str
+    quantities: Mapping[str, Estimate]
 
 
 def compare_gyros(gyros: Sequence[Gyro]) -> Comparison:
@@ -111,14 +125,29 @@ def compare_gyros(gyros: Sequence[Gyro]) -> Comparison:
     FitError
         There is none, or two have the same name.
     """
-    names = tuple(gyro.name for gyro in gyros)
+    columns: list[Column] = []
+    for gyro in gyros:
+        found = {row: gyro.quantity(row) for row, _, _ in ROWS}
+        columns.append(Column(gyro.name, {row: q for row, q in found.items() if q is not None}))
+    return compare_columns(columns)
+
+
+def compare_columns(columns: Sequence[Column]) -> Comparison:
+    """Put units side by side.
+
+    Raises
+    ------
+    FitError
+        There is none, or two have the same name.
+    """
+    names = tuple(column.name for column in columns)
     if not names:
         raise FitError("no gyro was chosen for the comparison")
     if len(set(names)) < len(names):
         raise FitError(f"two gyros have the same name ({', '.join(names)}); tell them apart")
     rows: list[Row] = []
     for identifier, name, unit in ROWS:
-        cells = tuple(gyro.quantity(identifier) for gyro in gyros)
+        cells = tuple(column.quantities.get(identifier) for column in columns)
         rows.append(Row(identifier, name, unit, cells, _best(identifier, cells)))
     return Comparison(names, tuple(rows))
 
@@ -158,7 +187,8 @@ def _best(row: str, cells: tuple[Estimate | None, ...]) -> int:
     return min(sizes, key=lambda place: sizes[place])
 
 
-def _title(row: Row) -> str:
+def title_of(row: Row) -> str:
+    """Name of a row with the unit that its cells are in."""
     units = sorted({cell.unit for cell in row.cells if cell is not None}) or [row.unit]
     return f"{row.name}, {' or '.join(units)}"
 
