@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtCore import QEvent, QPointF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QSize, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QSplitter, QVBoxLayout, QWidget
 
@@ -12,6 +12,7 @@ from core.arrays import FloatArray
 from gui.drift.state import DriftState, KnotsState, PictureState
 from gui.widgets.colours import Theme
 from gui.widgets.fields import ChoiceField
+from gui.widgets.legend import DASHES, LINE, Legend, LegendEntry
 from gui.widgets.plot import Plot
 from gui.widgets.theme import current_theme
 from gui.widgets.toggle import Toggle
@@ -172,7 +173,7 @@ def _fit(plot: Plot, x: list[FloatArray], y: list[FloatArray], names: int) -> No
     """Set the ranges so that the legend covers no curve."""
     across, along = np.concatenate(x), np.concatenate(y)
     low, high = float(along.min()), float(along.max())
-    room = (high - low or 1.0) * min(0.07 * (names + 0.5), 0.5)
+    room = (high - low or 1.0) * (0.05 + 0.08 * names)
     plot.getViewBox().setRange(
         xRange=(float(across.min()), float(across.max())), yRange=(low, high + room), padding=0.03
     )
@@ -191,14 +192,16 @@ class PlotsView(QWidget):
         self._rendering = False
         unit = self.fontMetrics().height()
         self.choice, self.snap = ChoiceField(), Toggle()
-        self.reading, self.caption = QLabel(), QLabel()
+        self.reading, self.caption, self.legend = QLabel(), QLabel(), Legend()
         self.curves = KnotPlot()
         self.residuals = Plot("t, s", "", log_y=True)
         self.residuals.setXLink(self.curves)
+        for plot in (self.curves, self.residuals):
+            # One width for both, so that the times stand above each other.
+            plot.getAxis("left").setWidth(round(4.5 * unit))
         # Its words change with every pixel of a drag: they must not move the panes.
         self.reading.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self.reading.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self.caption.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         head = QHBoxLayout()
         head.setSpacing(unit)
         head.addWidget(self.choice)
@@ -209,13 +212,14 @@ class PlotsView(QWidget):
         under.setContentsMargins(0, unit // 4, 0, 0)
         under.setSpacing(unit // 4)
         under.addWidget(self.caption)
+        under.addWidget(self.legend)
         under.addWidget(self.residuals, 1)
         self._below = below
         split = QSplitter(Qt.Orientation.Vertical)
         split.addWidget(self.curves)
         split.addWidget(below)
         split.setChildrenCollapsible(False)
-        split.setSizes([30 * unit, 20 * unit])
+        split.setSizes([27 * unit, 23 * unit])
         column = QVBoxLayout(self)
         column.setContentsMargins(unit // 2, unit // 2, 0, 0)
         column.setSpacing(unit // 4)
@@ -254,16 +258,27 @@ class PlotsView(QWidget):
         words = self.tr("left, {unit}").format(unit=picture.unit)
         self.residuals.set_labels("t, s", words)
         for line in picture.left:
-            self.residuals.add_curve(line.x, line.y, line.colour, line.name, dashed=line.dashed)
+            self.residuals.add_curve(line.x, line.y, line.colour, dashed=line.dashed)
+        self.legend.set_entries(
+            tuple(
+                LegendEntry(line.name, line.colour, DASHES if line.dashed else LINE)
+                for line in picture.left
+            )
+        )
         logarithms = [np.log10(line.y) for line in picture.left]
-        _fit(self.residuals, [line.x for line in picture.left], logarithms, len(picture.left))
+        _fit(self.residuals, [line.x for line in picture.left], logarithms, 0)
 
     def paint(self, painter: QPainter, size: QSize) -> None:
         """Draw both plots on any painter, for export."""
         parts = [self.curves] + ([self.residuals] if self._picture and self._picture.left else [])
         total = sum(part.height() for part in parts)
+        painter.fillRect(QRect(QPoint(), size), current_theme().window)
+        line = self.legend.height() if len(parts) > 1 else 0
         for part in parts:
-            height = round(size.height() * part.height() / total)
+            if part is self.residuals:
+                self.legend.render(painter, QPoint())
+                painter.translate(0, line)
+            height = round((size.height() - line) * part.height() / total)
             painter.save()
             part.paint(painter, QSize(size.width(), height))
             painter.restore()

@@ -1,6 +1,7 @@
 """Results -> tables of the right-hand side."""
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 
 import numpy as np
 from PySide6.QtCore import QCoreApplication
@@ -53,7 +54,11 @@ def _of_cycle(outcome: CycleOutcome) -> FindingsState:
         notes += run.notes
     else:
         notes += thermal.notes
-        notes += [note for one in thermal.channels for note in one.fit.notes]
+        notes += [
+            replace(note, text=f"{one.channel}: {note.text}")
+            for one in thermal.channels
+            for note in one.fit.notes
+        ]
         source += QCoreApplication.translate(
             "Thermal", ", {low} … {high}; beyond, nothing is compensated"
         ).format(low=degrees(thermal.low_c, 1), high=degrees(thermal.high_c, 1))

@@ -52,7 +52,7 @@ def _channel(thermal: ThermalCalibration, place: int, quantity: int) -> PlotStat
         np.array([at for at, _, _ in points]),
         np.array([one.value for _, _, one in points]),
         _WAY,
-        QCoreApplication.translate("Thermal", "way of the cycle"),
+        QCoreApplication.translate("Thermal", "cycle"),
         dashed=True,
     )
     unit = points[0][2].unit
@@ -83,9 +83,7 @@ def _channel_title(channel: ThermalChannel, quantity: int) -> str:
     if not found:
         return title
     _, worst, at = max(found, key=lambda one: one[0])
-    words = QCoreApplication.translate(
-        "Thermal", "{title};  heating less cooling at most {value} {unit} at {at}"
-    )
+    words = QCoreApplication.translate("Thermal", "{title};  hysteresis {value} {unit} at {at}")
     return words.format(
         title=title, value=with_half(worst), unit=plain_unit(worst.unit), at=degrees(at)
     )
@@ -150,9 +148,7 @@ def _trend(outcome: RecordOutcome, place: int, trend: Trend) -> PlotState:
     words = QCoreApplication.translate("Thermal", "{channel}, order {order}")
     title = words.format(channel=trend.channel, order=trend.order)
     if np.isfinite(trend.hysteresis.value):
-        words = QCoreApplication.translate(
-            "Thermal", "{title};  heating less cooling at most {value} {unit} at {at}"
-        )
+        words = QCoreApplication.translate("Thermal", "{title};  hysteresis {value} {unit} at {at}")
         title = words.format(
             title=title,
             value=with_half(trend.hysteresis),

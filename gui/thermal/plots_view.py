@@ -1,12 +1,14 @@
 """One plot a sensor, or an angle, one above the other."""
 
-from PySide6.QtCore import QEvent, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QRect, QSize, Qt, Signal
 from PySide6.QtGui import QPainter
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from gui.thermal.state import PlotState, ThermalState
 from gui.widgets.fields import ChoiceField
+from gui.widgets.legend import DASHES, LINE, POINT, Legend, LegendEntry
 from gui.widgets.plot import Plot
+from gui.widgets.theme import current_theme
 
 
 class PlotsView(QWidget):
@@ -20,10 +22,11 @@ class PlotsView(QWidget):
         self._states: tuple[PlotState, ...] = ()
         self._rows: list[tuple[QLabel, Plot]] = []
         unit = self.fontMetrics().height()
-        self.choice = ChoiceField()
+        self.choice, self.legend = ChoiceField(), Legend()
         head = QHBoxLayout()
+        head.setSpacing(unit)
         head.addWidget(self.choice)
-        head.addStretch(1)
+        head.addWidget(self.legend, 1)
         self._column = QVBoxLayout(self)
         self._column.setContentsMargins(unit // 2, unit // 2, 0, 0)
         self._column.setSpacing(unit // 4)
@@ -52,8 +55,9 @@ class PlotsView(QWidget):
                 part.setVisible(place < len(state.plots))
             if place < len(state.plots):
                 last = place == len(state.plots) - 1
-                _draw(plot, state.plots[place], legend=place == 0, bottom=last)
+                _draw(plot, state.plots[place], bottom=last)
                 title.setText(state.plots[place].title)
+        self.legend.set_entries(_legend(state.plots))
 
     def _add_row(self) -> None:
         title, plot = QLabel(), Plot()
@@ -63,6 +67,8 @@ class PlotsView(QWidget):
         title.setTextFormat(Qt.TextFormat.PlainText)
         title.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         title.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        # One width for all, so that the temperatures stand above each other.
+        plot.getAxis("left").setWidth(round(4.5 * self.fontMetrics().height()))
         self._column.addWidget(title)
         self._column.addWidget(plot, 1)
         if self._rows:
@@ -70,9 +76,16 @@ class PlotsView(QWidget):
         self._rows.append((title, plot))
 
     def paint(self, painter: QPainter, size: QSize) -> None:
-        """Draw all plots on any painter, for export."""
-        height = size.height() // max(len(self.plots), 1)
-        for plot in self.plots:
+        """Draw names and plots on any painter, for export."""
+        painter.fillRect(QRect(QPoint(), size), current_theme().window)
+        line = self.legend.height()
+        self.legend.render(painter, QPoint())
+        painter.translate(0, line)
+        count = max(len(self.plots), 1)
+        height = (size.height() - line * (count + 1)) // count
+        for title, plot in self._rows[:count]:
+            title.render(painter, QPoint())
+            painter.translate(0, line)
             painter.save()
             plot.paint(painter, QSize(size.width(), height))
             painter.restore()
@@ -92,19 +105,29 @@ class PlotsView(QWidget):
         self.choice.setAccessibleName(self.tr("Quantity"))
 
 
-def _draw(plot: Plot, state: PlotState, *, legend: bool, bottom: bool) -> None:
+def _legend(states: tuple[PlotState, ...]) -> tuple[LegendEntry, ...]:
+    """The names of all plots, each once."""
+    entries: dict[LegendEntry, None] = {}
+    for state in states:
+        for points in state.points:
+            entries[LegendEntry(points.name, points.colour, POINT)] = None
+        for line in state.lines:
+            mark = DASHES if line.dashed else LINE
+            entries[LegendEntry(line.name, line.colour, mark)] = None
+    return tuple(entries)
+
+
+def _draw(plot: Plot, state: PlotState, *, bottom: bool) -> None:
     plot.clear_items()
     plot.set_labels("T, °C" if bottom else "", state.label)
     for line in state.lines:
-        name = line.name if legend else ""
-        plot.add_curve(line.x, line.y, line.colour, name, dashed=line.dashed)
+        plot.add_curve(line.x, line.y, line.colour, dashed=line.dashed)
     for points in state.points:
         bars = points.low.size > 0
         plot.add_points(
             points.x,
             points.y,
             points.colour,
-            points.name if legend else "",
             low=points.low if bars else None,
             high=points.high if bars else None,
         )

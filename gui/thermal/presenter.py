@@ -194,7 +194,8 @@ class ThermalPresenter(QObject):
         rows = QCoreApplication.translate("Thermal", "{rows} rows").format(rows=grouped(len(run)))
         low, high = degrees(float(run.temperature_c.min())), degrees(float(run.temperature_c.max()))
         warmth = low if low == high else f"{low.removesuffix(' °C')} … {high}"
-        parts = [run.device, rows, warmth]
+        named = entry.path is None or run.device in entry.path.name
+        parts = [rows, warmth] if named else [run.device, rows, warmth]
         if entry.check:
             parts.append(QCoreApplication.translate("Thermal", "check only"))
         return ListRow(entry.key, _name(entry), ", ".join(parts))

@@ -53,6 +53,7 @@ table_text        tables as TSV and CSV
 matrix_view       a matrix in brackets, its uncertainties and its equation
 residual_plot     residuals by position inside their band
 plot              curves, bands, points with bars, logarithmic axes (pyqtgraph)
+legend            names of curves above a plot
 fast_axis         opaque grid and decades (pyqtgraph)
 chart_export      any of the charts as SVG, PNG, PDF
 ================  ==================================================================

@@ -83,7 +83,8 @@ def test_every_quantity_is_drawn_with_its_hysteresis(
     plots = tab.view.plots
     assert plots is not None
     assert len(plots.plots) == 3
-    assert "heating less cooling at most" in tab.presenter.state.plots[0].title
+    assert "hysteresis 6.68 ± 0.99 code at 27 °C" in tab.presenter.state.plots[0].title
+    assert "heated" in plots.legend.text()
     names = [points.name for points in tab.presenter.state.plots[0].points]
     assert names == ["first", "heated", "cooled"]
     for quantity, count in ((1, 3), (2, 2)):
