@@ -50,9 +50,8 @@ def _table(advised: Advised) -> TableState:
         one = now.get(name)
         known = one or then[name]
         row = [
-            known.symbol,
+            f"{known.symbol}, {unit_words(known.unit)}",
             _number(math.nan if one is None else one.u),
-            unit_words(known.unit),
             "" if one is None else limit_words(one.limited_by),
         ]
         if changed:
@@ -61,7 +60,6 @@ def _table(advised: Advised) -> TableState:
     header = [
         QCoreApplication.translate("Advisor", "Parameter"),
         QCoreApplication.translate("Advisor", "u (k = 1)"),
-        QCoreApplication.translate("Advisor", "Unit"),
         QCoreApplication.translate("Advisor", "limited by"),
     ]
     if changed:

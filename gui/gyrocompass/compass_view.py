@@ -12,7 +12,7 @@ from gui.widgets.number_text import value_and_uncertainty
 from gui.widgets.states import Tone
 from gui.widgets.theme import current_theme
 
-_LEAST_WEDGE_DEG = 1.5
+_LEAST_WEDGE_DEG = 6.0
 """A wedge that is narrower is drawn ten, a hundred, ... times as wide."""
 _POINTS = {0: "N", 90: "E", 180: "S", 270: "W"}
 

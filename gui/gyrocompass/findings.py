@@ -104,15 +104,15 @@ def _averaging(found: Found, advice: Advice) -> TableState:
             )
         )
     law = QCoreApplication.translate(
-        "Gyrocompass", "{count} headings, {pause} s to turn; N, B, K by the Allan analysis"
+        "Gyrocompass", "u of the heading: {count} headings, {pause} s to turn, by N, B, K"
     )
     return TableState(
         QCoreApplication.translate("Gyrocompass", "How long to average"),
         law.format(count=len(advice.headings_deg), pause=significant(choices.pause_s, 2)),
         (
             "",
-            QCoreApplication.translate("Gyrocompass", "each heading, s"),
-            QCoreApplication.translate("Gyrocompass", "u of the heading"),
+            QCoreApplication.translate("Gyrocompass", "time, s"),
+            QCoreApplication.translate("Gyrocompass", "u (k = 1)"),
             QCoreApplication.translate("Gyrocompass", "Unit"),
         ),
         tuple(rows),
@@ -125,7 +125,7 @@ def _kept(advice: Advice) -> TableState:
         QCoreApplication.translate("Gyrocompass", "Its drift, as found, is subtracted"),
         (
             QCoreApplication.translate("Gyrocompass", "for, h"),
-            QCoreApplication.translate("Gyrocompass", "u of the heading"),
+            QCoreApplication.translate("Gyrocompass", "u (k = 1)"),
             QCoreApplication.translate("Gyrocompass", "Unit"),
         ),
         tuple(

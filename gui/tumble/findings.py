@@ -11,6 +11,7 @@ from gui.widgets.number_text import decimals_of, fixed, significant, value_and_u
 from gui.widgets.states import FindingsState, TableState
 
 _LAW = "u = C0 + C1 sin α + C2 cos α + C3 sin 2α + C4 cos 2α"
+_MOST_DECIMALS = 6
 _THIRD = " + C5 sin 3α + C6 cos 3α"
 
 
@@ -92,11 +93,16 @@ def _split(study: TumbleStudy) -> TableState:
 
 def _spread(name: str, spread: Spread) -> tuple[str, ...]:
     half = 0.5 * (spread.high - spread.low)
-    words = f"{name}, {_shown(spread.unit)}"
+    unit, factor = _shown(spread.unit), 1.0
+    if half > 0 and decimals_of(half) > _MOST_DECIMALS:
+        # So many zeros would hide the digits, and push the limits out of sight.
+        unit, factor = f"10⁻⁶ {unit}", 1e6
+    words = f"{name}, {unit}"
     if not half > 0:
         return words, significant(spread.value, 7), "", ""
-    decimals = decimals_of(half)
-    return words, *(fixed(x, decimals) for x in (spread.value, spread.low, spread.high))
+    decimals = decimals_of(half * factor)
+    numbers = (spread.value, spread.low, spread.high)
+    return words, *(fixed(number * factor, decimals) for number in numbers)
 
 
 def _flip(study: TumbleStudy) -> TableState:
