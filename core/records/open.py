@@ -1,6 +1,8 @@
 """One way in for everything that holds a run."""
 
+import hashlib
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from core.errors import FormatError
@@ -42,7 +44,10 @@ def read_any(
         raise FormatError(path, "is a JSON document, no measurements")
     if is_run_file(head):
         _refuse_mounts(path, mounts)
-        return _of(parse_run(decode(read_bytes(path), path), str(path)), path, sensor, device)
+        content = read_bytes(path)
+        run = parse_run(decode(content, path), str(path))
+        source = {"source": path.name, "source_sha256": hashlib.sha256(content).hexdigest()}
+        return _of(replace(run, meta={**run.meta, **source}), path, sensor, device)
     return read_legacy(path).to_run(sensor=sensor, device=device, mounts=mounts)
 
 

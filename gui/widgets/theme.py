@@ -1,5 +1,7 @@
 """How the application puts on the light or the dark look."""
 
+from collections.abc import Generator
+from contextlib import contextmanager
 from importlib import resources
 
 from PySide6.QtCore import QByteArray, QObject, Qt
@@ -14,8 +16,23 @@ FAMILY = "DejaVu Sans"
 POINT_SIZE = 9.5
 
 
+_PAPER: list[Theme] = []
+
+
+@contextmanager
+def paper_look() -> Generator[None]:
+    """Paint in the light look inside the block, whatever the screen wears: paper is white."""
+    _PAPER.append(LIGHT)
+    try:
+        yield
+    finally:
+        _PAPER.pop()
+
+
 def current_theme() -> Theme:
     """Return the look that the application wears, read from its palette."""
+    if _PAPER:
+        return _PAPER[-1]
     window = QApplication.palette().color(QPalette.ColorRole.Window)
     return DARK if window.lightness() < 128 else LIGHT
 

@@ -1,3 +1,4 @@
+import hashlib
 import json
 from pathlib import Path
 
@@ -91,3 +92,15 @@ def test_any_bytes_give_a_run_or_a_format_error(tmp_path_factory, content):
 
 def test_a_legacy_file_is_read_as_its_reader_reads_it():
     np.testing.assert_array_equal(read_any(TABLE_2_2).y, read_legacy(TABLE_2_2).to_run().y)
+
+
+def test_a_run_file_tells_its_name_and_hash(tmp_path: Path):
+    path = tmp_path / "one.run.csv"
+    path.write_text(
+        '# calrig-run = 1\n# test = "dividing_head"\n# sensor = "accelerometer"\n'
+        '# output_unit = "V"\nrun,order,mount,head_deg,y\n0,0,X_from,0,1.5\n',
+        encoding="utf-8",
+    )
+    meta = read_any(path).meta
+    assert meta["source"] == "one.run.csv"
+    assert meta["source_sha256"] == hashlib.sha256(path.read_bytes()).hexdigest()
