@@ -33,7 +33,8 @@ def compare(calibration: Calibration, rig: Rig) -> tuple[Compared, ...]:
     rows: list[Compared] = []
     for name, fit in zip(calibration.channels, calibration.fits, strict=True):
         which = name.rpartition("_")[2]
-        output = hidden[f"acc.{which}" if which in "xyz" else f"adc.{which}"]
+        triad = "acc." if calibration.sensor == "accelerometer" else "rate."
+        output = hidden[f"{triad if which in 'xyz' else 'adc.'}{which}"]
         for parameter, value, half in zip(fit.parameters, fit.values, fit.expanded(), strict=True):
             truth = output.value(parameter.name)
             covered = bool(abs(value - truth) <= half)

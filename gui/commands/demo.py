@@ -1,4 +1,4 @@
-"""The real window measures eight positions on the simulated rig by itself, offscreen if need be.
+"""The real window measures sessions on the simulated rig by itself, offscreen if need be.
 
 Files and pictures go to the folder; the estimates are compared with the rig's hidden truth.
 """
@@ -11,12 +11,19 @@ from pathlib import Path
 from drivers.virtual.truth import report
 from gui.commands.answer import Answer
 
+_PARTS = {"head": "gui.dividing_head.demo", "rate": "gui.rate_table.demo"}
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Add the folder, the unit and the seed."""
+    """Add the folder, the parts and the seed."""
     parser.add_argument("--out", type=Path, default=Path("demo-output"), metavar="FOLDER")
-    parser.add_argument("--device", choices=["pointer", "clbacc"], default="pointer")
-    parser.add_argument("--seed", type=int, default=1, help="of the unit and its noise")
+    parser.add_argument(
+        "--part",
+        action="append",
+        choices=list(_PARTS),
+        help="what is measured; everything if it is not given",
+    )
+    parser.add_argument("--seed", type=int, default=1, help="of the units and their noise")
 
 
 def run(args: argparse.Namespace) -> Answer:
@@ -26,9 +33,12 @@ def run(args: argparse.Namespace) -> Answer:
     ):
         os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
-    from gui.demonstration import demonstrate
+    from gui.demonstration import STEPS, demonstrate
 
-    outcome = demonstrate(args.out.resolve(), args.device, args.seed)
-    lines = [*report(outcome.parameters), f"session: {outcome.session}"]
+    chosen = tuple(_PARTS[part] for part in args.part or ())
+    outcome = demonstrate(args.out.resolve(), chosen or STEPS, args.seed)
+    lines: list[str] = []
+    for part in outcome.parts:
+        lines += [part.title, *report(part.parameters), f"session: {part.session}"]
     lines += [str(path) for path in outcome.files]
     return Answer(outcome, "\n".join(lines))

@@ -34,5 +34,6 @@ settings_view     the form of the settings
 live_view         the table of live means
 results_view      the results page
 curve_view        a plot of the results page
+demonstrating     what the demonstrations of the tabs are made of
 ================  ==================================================================
 """

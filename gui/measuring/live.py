@@ -12,6 +12,7 @@ from gui.measuring.state import LiveRow, LiveState
 from gui.widgets.number_text import fixed
 
 _WINDOW_S = 1.0
+_LARGE = 100.0
 
 
 class LiveMeans:
@@ -70,11 +71,7 @@ class LiveMeans:
             LiveRow(
                 name=row.name,
                 mean=_text(mean, row.main, 1),
-                std=_text(
-                    {row.main: std[row.main] * (std_scale[row.main] if scaled else 1.0)},
-                    row.main,
-                    3 if scaled else 2,
-                ),
+                std=_std_text(float(std[row.main]), std_scale[row.main] if scaled else None),
                 temp=_text(mean, row.main_temp, 0),
                 other_mean=_text(mean, row.other, 1),
                 other_temp=_text(mean, row.other_temp, 0),
@@ -82,6 +79,13 @@ class LiveMeans:
             for row in device.rows
         )
         return replace(shape, rows=rows, std_unit=std_unit if scaled else device.unit)
+
+
+def _std_text(value: float, scale: float | None) -> str:
+    """A standard deviation; in its own unit large ones need fewer decimals."""
+    if scale is None:
+        return fixed(value, 2)
+    return fixed(value * scale, 3 if value * scale < _LARGE else 1)
 
 
 def _text(values: Mapping[str, float], role: str, decimals: int) -> str:

@@ -1,7 +1,7 @@
 """The walk through the plan, fed with samples."""
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
 
 from PySide6.QtCore import QObject, Signal
 
@@ -12,6 +12,7 @@ from core.procedures.recognise import Expectation
 from core.records.session.events import Position
 from core.samples.block import SampleBlock
 
+_PIECE_S = 0.25
 _STEP_S = 0.1
 """The screen follows the seconds that remain in steps of this."""
 
@@ -121,12 +122,13 @@ class Walk(QObject):
 
     def on_block(self, block: SampleBlock) -> None:
         """Take samples of the device."""
-        if self._measuring is None:
-            return
-        outcome = self._measuring.feed(block)
-        if outcome is not None:
-            self.outcome.emit(outcome)
-        self._tell()
+        for part in _parts(block):
+            if self._measuring is None:
+                return
+            outcome = self._measuring.feed(part)
+            if outcome is not None:
+                self.outcome.emit(outcome)
+            self._tell()
 
     def start(self) -> None:
         """Accumulate the current step now."""
@@ -172,3 +174,17 @@ class Walk(QObject):
         if seen != self._seen:
             self._seen = seen
             self.moved.emit()
+
+
+def _parts(block: SampleBlock) -> Iterator[SampleBlock]:
+    """The block in pieces so short that no motion can begin and end within one.
+
+    After the window was held up for a second all samples of that second come at once.
+    """
+    most = max(round(_PIECE_S * block.rate), 1) if block.rate > 0 else len(block.index)
+    if len(block.index) <= most:
+        yield block
+        return
+    for first in range(0, len(block.index), most):
+        piece = slice(first, first + most)
+        yield replace(block, index=block.index[piece], data=block.data[piece])

@@ -14,5 +14,6 @@ results           Load Data, Process Data; a table run and a head run together
 processing        their work, in a worker: fits and the page
 tables            the tables and plots: Tables 3.2 to 3.7
 formats           the files of the export
+demo              its part of the demonstration
 ================  ==================================================================
 """

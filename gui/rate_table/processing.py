@@ -35,6 +35,7 @@ from gui.rate_table.tables import (
     table_3_7_plot,
 )
 
+_NEGATIVE = "negative_scale_factor"
 FILE = "calibration.cal.json"
 """Every processed session leaves its calibration under this name in its folder."""
 
@@ -267,7 +268,8 @@ class _Fitted:
         rates, table = self._rates, self._table
         if rates is None or table is None:
             return []
-        notes = [*rates.notes, *(note for sensor in rates.sensors for note in sensor.notes)]
+        of_sensors = [note for sensor in rates.sensors for note in sensor.notes]
+        notes = [*rates.notes, *_gathered(of_sensors)]
         return [
             summary_table(rates),
             *notes,
@@ -325,6 +327,21 @@ def _without_repeats(parts: Sequence[Part]) -> list[Part]:
             seen.add(part.text)
         kept.append(part)
     return kept
+
+
+def _gathered(notes: Sequence[Note]) -> list[Note]:
+    """What is legal and the same in many sensors is said in one line."""
+    negative = [note for note in notes if note.subject == _NEGATIVE]
+    if len(negative) < 2:
+        return list(notes)
+    names = ", ".join(note.text.partition(":")[0] for note in negative)
+    one = Note(
+        Severity.INFO,
+        _NEGATIVE,
+        f"{names}: the scale factors are negative, which is legal; the outputs fall when the unit"
+        " turns counter-clockwise seen from above",
+    )
+    return [*(note for note in notes if note.subject != _NEGATIVE), one]
 
 
 def _role_of(channel: str) -> str:

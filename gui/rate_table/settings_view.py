@@ -71,11 +71,11 @@ class RateForm(SettingsForm[RateSettings]):
         self._axis_label = self.caption(lambda: self.tr("Axis"))
         self._axis_label.setBuddy(self._mounts)
         row.addWidget(self._axis_label)
-        row.addWidget(self._mounts)
-        row.addWidget(self._both_ways, 1)
+        row.addWidget(self._mounts, 1)
         row.addWidget(self._set)
         column.addWidget(label)
         column.addWidget(self._rates)
+        column.addWidget(self._both_ways)
         column.addLayout(row)
         return self._free_box
 

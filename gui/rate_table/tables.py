@@ -13,11 +13,13 @@ from core.procedures.two_files import Table37
 from core.samples.run import Run
 from gui.measuring.head_words import angle_words, mount_words
 from gui.measuring.page import CurveState
-from gui.widgets.number_text import fixed, significant, value_and_uncertainty
+from gui.widgets.number_text import fixed, value_and_uncertainty
 from gui.widgets.states import TableState
 from gui.widgets.table_picture import up_words
 
 _LEVEL = 0.95
+_WITH_BARS = 3
+"""Up to so many sensors in one plot have bars of uncertainty."""
 _NONE = "\N{EM DASH}"
 
 
@@ -30,22 +32,19 @@ def summary_table(table: RateTable) -> TableState:
             _verdict(sensor),
             *_pair(sensor.line.slope),
             *_pair(sensor.line.zero),
-            *_pair(sensor.nonlinearity.ppm),
         )
         for sensor in table.sensors
     )
     return TableState(
-        "Rate table (Table 3.4): scale factor and zero",
+        "Rate table: scale factor and zero (Table 3.6), U at 95 %",
         "U = k_z·ω + U0   (3.5), (3.6)",
         (
             "Sensor",
             "Straight line",
             f"k, {unit}/(deg/s)",
-            "±U (95 %)",
+            "±U",
             f"Zero, {unit}",
-            "±U (95 %)",
-            f"Nonlin., ppm of {table.full_scale_dps:g} deg/s",
-            "±U (95 %)",
+            "±U",
         ),
         rows,
         2,
@@ -72,7 +71,9 @@ def straightness_table(table: RateTable) -> TableState:
     rows: list[tuple[str, ...]] = []
     for sensor in table.sensors:
         name = sensor.channel
-        rows.append(_row(name, "Bias, zero over scale factor", sensor.bias))
+        rows.append(_row(name, "Bias = zero / k", sensor.bias))
+        scale = f"Nonlinearity of {sensor.nonlinearity.full_scale:g} deg/s"
+        rows.append(_row(name, scale, sensor.nonlinearity.ppm))
         if sensor.slopes is not None:
             rows.append(_row(name, "k of positive rates", sensor.slopes[0]))
             rows.append(_row(name, "k of negative rates", sensor.slopes[1]))
@@ -80,22 +81,22 @@ def straightness_table(table: RateTable) -> TableState:
         if sensor.bias_asymmetry is not None:
             rows.append(_row(name, "Bias asymmetry", sensor.bias_asymmetry))
         if sensor.hysteresis is not None:
-            rows.append(_row(name, "Hysteresis, rising less falling", sensor.hysteresis.mean))
+            rows.append(_row(name, "Hysteresis, up less down", sensor.hysteresis.mean))
         for term in sensor.bends:
             shape = "Parabola" if term.power == 2 else "Cubic"
             rows.append(_row(name, f"{shape}, p = {term.p_value:.2g}", term.coefficient))
         if sensor.threshold is not None:
             low, high = sensor.threshold.above, sensor.threshold.below
-            text = f"{significant(low, 3)} … {significant(high, 3)}"
+            text = f"{low:g} … {high:g}"
             rows.append((name, "Threshold, between", text, "", "deg/s"))
         rows += [
             _row(name, f"{line.symbol}, {up_words(line.mount)}", line.slope)
             for line in sensor.others
         ]
     return TableState(
-        "Straightness, asymmetry, hysteresis, cross axes",
+        "Straightness, asymmetry, hysteresis, cross axes, U at 95 %",
         "",
-        ("Sensor", "Quantity", "Value", "±U (95 %)", "Unit"),
+        ("Sensor", "Quantity", "Value", "±U", "Unit"),
         tuple(rows),
         2,
     )
@@ -121,22 +122,22 @@ def parameter_table(calibration: Calibration) -> TableState:
 
 
 def error_plot(table: RateTable) -> CurveState:
-    """Errors of the calibrated rates against the set rate, with their 95 % intervals."""
+    """Errors of the calibrated rates against the set rate; of few sensors with 95 % intervals."""
     series: list[tuple[str, tuple[float, ...], tuple[float, ...], tuple[float, ...]]] = []
     for sensor in table.sensors:
         order = np.argsort(sensor.line.set_rate, kind="stable")
         half = 1.96 * sensor.line.fit.sigma / abs(sensor.line.slope.value)
-        known = sensor.line.fit.sigma_source != "none"
+        told = sensor.line.fit.sigma_source != "none" and len(table.sensors) <= _WITH_BARS
         series.append(
             (
                 sensor.channel,
                 tuple(sensor.line.set_rate[order].tolist()),
                 tuple(sensor.residuals_dps[order].tolist()),
-                tuple(half[order].tolist()) if known else (),
+                tuple(half[order].tolist()) if told else (),
             )
         )
     return CurveState(
-        "Error of the calibrated rate (fig. 3.8)", "Set rate, deg/s", "Error, deg/s", tuple(series)
+        "Error of the calibrated rate", "Set rate, deg/s", "Error, deg/s", tuple(series)
     )
 
 
@@ -159,7 +160,7 @@ def measured_table(table: RateTable, run: Run) -> TableState:
         for i in range(len(run))
     )
     return TableState(
-        f"Measured outputs, {run.unit}, and errors, deg/s (Table 3.2)",
+        f"Measured outputs, {run.unit}, and errors, deg/s (Table 3.4)",
         "",
         (
             "No.",
@@ -181,7 +182,7 @@ def g_table(found: GSensitivity) -> TableState:
         for axis in sensor.axes:
             rows += _of_axis(sensor, axis)
     return TableState(
-        "g-sensitivity on the head (Table 3.5)",
+        "g-sensitivity on the head (Table 3.6)",
         "U = b_zx·a_x + b_zy·a_y + b_zz·a_z + U0   (3.7)",
         ("Sensor", "Quantity", "Value", "±U (95 %)", "Unit"),
         tuple(rows),
@@ -213,7 +214,7 @@ def positions_table(found: GSensitivity, run: Run) -> TableState:
         for i in range(len(run))
     )
     return TableState(
-        f"Measured outputs and residuals, {run.unit} (Table 3.3)",
+        f"Measured outputs and residuals, {run.unit} (Table 3.5)",
         "",
         (
             "No.",

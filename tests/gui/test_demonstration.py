@@ -11,15 +11,18 @@ from gui.main import main
 @pytest.mark.timeout(240)
 def test_the_window_measures_eight_positions_by_itself(tmp_path: Path) -> None:
     out = tmp_path / "demo"
-    assert main(["demo", "--out", str(out), "--json", str(tmp_path / "o.json")]) == 0
+    assert (
+        main(["demo", "--part", "head", "--out", str(out), "--json", str(tmp_path / "o.json")]) == 0
+    )
     outcome = json.loads((tmp_path / "o.json").read_text(encoding="utf-8"))
-    assert len(outcome["parameters"]) == 12
+    (head,) = outcome["parts"]
+    assert len(head["parameters"]) == 12
     # 95 % intervals: fewer than 9 of 12 is a chance of some 1e-4.
-    assert sum(row["covered"] for row in outcome["parameters"]) >= 9
+    assert sum(row["covered"] for row in head["parameters"]) >= 9
     names = {Path(name).name for name in outcome["files"]}
     assert {"1-connected-light.png", "2-measuring-dark.png", "3-results-light.png"} <= names
     assert all(Path(name).stat().st_size for name in outcome["files"])
-    session = Path(outcome["session"])
+    session = Path(head["session"])
     assert (session / "session.json").is_file()
     assert len((session / "positions.jsonl").read_text(encoding="utf-8").splitlines()) >= 8
     assert list(session.glob("OpticalDividingHead_*.txt"))

@@ -106,7 +106,7 @@ def test_free_rates_both_ways_tell_hysteresis(rate_desk: RateDesk, qtbot: QtBot)
     page = rate_desk.results.page
     assert page is not None
     cells = [cell for table in page.tables for row in table.rows for cell in row]
-    assert "Hysteresis, rising less falling" in cells
+    assert "Hysteresis, up less down" in cells
 
 
 def test_two_rates_are_processed_with_a_warning(rate_desk: RateDesk, qtbot: QtBot):

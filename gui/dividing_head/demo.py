@@ -1,0 +1,23 @@
+"""The dividing head's part of the demonstration: eight positions, their calibration, exports."""
+
+from drivers.virtual.truth import compare
+from gui.dividing_head.tab import HeadTab
+from gui.measuring.demonstrating import Stage, Told, process, walk
+
+TITLE = "Dividing head"
+
+
+def play(stage: Stage, device: str = "pointer") -> Told:
+    """Measure a triad or an assembly, calibrate it, and compare with the rig's truth."""
+    rig = stage.connect(device)
+    tab = stage.show(TITLE)
+    if not isinstance(tab, HeadTab):
+        raise TypeError(f"{TITLE} is a {type(tab).__name__}")
+    stage.until(lambda: tab.sitting.walk.status is not None, "the rig did not answer")
+    stage.picture("1-connected")
+    session = walk(stage, tab, "2-measuring")
+    process(stage, tab, "3-results", ("json", "c", "mat", "csv"))
+    state = tab.results.state
+    if state is None:
+        raise RuntimeError("the results were closed")
+    return Told(TITLE, compare(state.calibration, rig), session)
