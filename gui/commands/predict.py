@@ -16,6 +16,7 @@ from core.procedures.prediction.bench import TOOLS, Bench
 from core.procedures.prediction.catalogue import METHODS
 from core.procedures.prediction.design import Prediction
 from core.procedures.prediction.propose import predict, propose, with_positions
+from core.procedures.prediction.unseen import unseen
 from core.samples.run import Conditions
 from gui.commands.answer import Answer
 from gui.commands.conditions import KYIV_G_MPS2, add_conditions, conditions_of
@@ -83,8 +84,10 @@ def run(args: argparse.Namespace) -> Answer:
     found: list[dict[str, object]] = []
     for method in [args.method] if args.method else _methods(plan, bench):
         prediction = predict(method, changed, bench)
-        found.append({"method": method, "plan": plan.id, "prediction": prediction})
+        blind = unseen(method, changed, bench, prediction)
+        found.append({"method": method, "plan": plan.id, "prediction": prediction, "unseen": blind})
         lines += _lines(method, changed, prediction)
+        lines += [f"    cannot see: {note.text}" for note in blind]
         if changed is not plan and (args.drop or args.add):
             lines += _compared(method, plan, prediction, bench)
     return Answer({"predictions": found}, "\n".join(lines))
