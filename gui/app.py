@@ -16,7 +16,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 from core.errors import FormatError, LabError, Severity
 from gui.garbage import Collector
 from gui.jobs import Jobs
-from gui.main_window import LOOKS, MainWindow, PlanTab, Tab, TabModule
+from gui.main_window import LOOKS, LoadTab, MainWindow, PlanTab, Tab, TabModule
 from gui.messages import Messages
 from gui.settings import Settings, text_of
 from gui.widgets.sound import Cue, Sounds
@@ -36,6 +36,7 @@ TABS: dict[str, str] = {
     "Thermal": "gui.thermal.tab",
     "Drift": "gui.drift.tab",
     "Methods": "gui.methods.tab",
+    "Archive": "gui.archive.tab",
 }
 """Every tab of the window: its title and the module that makes it."""
 
@@ -157,6 +158,7 @@ class Application(QObject):
             lambda: self._root,
             self._play,
             self._open_plan,
+            self._open_file,
         )
         for place, title in enumerate(TABS):
             module = cast("TabModule", importlib.import_module(TABS[title]))
@@ -250,6 +252,15 @@ class Application(QObject):
                 self.window.tabs.setCurrentWidget(tab.widget)
                 return True
         return False
+
+    def _open_file(self, title: str, path: Path) -> bool:
+        """Hand a file to the tab of a title, and show that tab."""
+        tab = self.tabs.get(title)
+        if not isinstance(tab, LoadTab):
+            return False
+        self.window.tabs.setCurrentWidget(tab.widget)
+        tab.load(path)
+        return True
 
     def _wanted(self) -> "tuple[Plan, Step] | None":
         widget = self.window.tabs.currentWidget()

@@ -1,5 +1,6 @@
 """The window: device strip, tabs, banner, log; the rig's dock at the right."""
 
+from pathlib import Path
 from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
 from PySide6.QtCore import QEvent, QSize, Qt, QTimer, Signal
@@ -59,6 +60,15 @@ class PlanTab(Protocol):
 
     def open_plan(self, plan: "Plan") -> bool:
         """Take a plan; False if its test is another one, or something is being measured."""
+        ...
+
+
+@runtime_checkable
+class LoadTab(Protocol):
+    """A tab that works with files."""
+
+    def load(self, path: Path) -> None:
+        """Take a file, or a session's folder."""
         ...
 
 

@@ -17,6 +17,11 @@ def _no_tab(_: Plan) -> bool:
     return False
 
 
+def _no_loader(_: str, __: Path) -> bool:
+    """No tab takes files."""
+    return False
+
+
 @dataclass(frozen=True, slots=True)
 class Services:
     """What all tabs share.
@@ -32,6 +37,8 @@ class Services:
     play : the loudspeaker: ``"start"``, ``"done"`` or ``"error"``
     open_plan : hands a plan to the tab that measures it and shows that tab; returns whether one
         took it
+    open_file : hands a file, or a session's folder, to the tab of a title and shows that tab;
+        returns whether there is such a tab
     """
 
     connection: Connection
@@ -42,3 +49,4 @@ class Services:
     root: Callable[[], Path]
     play: Callable[[str], None]
     open_plan: Callable[[Plan], bool] = _no_tab
+    open_file: Callable[[str, Path], bool] = _no_loader

@@ -57,6 +57,10 @@ class AllanTab(QObject):
         """Nothing has to be set on the rig."""
         return None
 
+    def load(self, path: Path) -> None:
+        """Analyse a record."""
+        self.presenter.add([str(path)])
+
     def close(self) -> None:
         """End the live curve; let go of the plot."""
         self.live.stop()

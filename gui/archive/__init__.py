@@ -8,6 +8,7 @@ questions.py       what is asked of the archive, in the worker
 findings.py        answers -> tables of the right-hand side and the picture
 exporting.py       the tables as a file
 texts.py           numbers and words, for the tab and for ``calrig archive``
+opening.py         in which tab an entry can be worked with; no Qt
 raw.py             raw logs: what their header tells, their bytes decoded again; no Qt
 view.py            search and list left, history middle, findings right, actions below
 entries_view.py    the list

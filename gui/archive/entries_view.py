@@ -18,7 +18,7 @@ from gui.widgets.states import Tone
 from gui.widgets.theme import current_theme
 
 _Index = QModelIndex | QPersistentModelIndex
-_VERDICT = 4
+_VERDICT = 3
 _SIGNS = {Tone.BAD: "✕ ", Tone.DOUBT: "△ "}
 
 
@@ -81,7 +81,8 @@ class EntryTable(QTableView):
         unit = self.fontMetrics().averageCharWidth()
         for column in range(self._model.columnCount() - 1):
             self.resizeColumnToContents(column)
-            self.setColumnWidth(column, min(self.columnWidth(column), 18 * unit))
+            if column == 0:  # a damaged file stands under its whole name
+                self.setColumnWidth(column, min(self.columnWidth(column), 18 * unit))
             self.horizontalHeader().setSectionResizeMode(column, mode)
 
     def _on_selection(self) -> None:

@@ -99,7 +99,7 @@ class HistoryPlot(Plot):
 
     def _on_range(self) -> None:
         low, high = self._plot.getViewBox().viewRange()[0]
-        most = max(2, round(self.width() / (12 * self.fontMetrics().averageCharWidth())) - 1)
+        most = max(3, self.width() // (11 * self.fontMetrics().averageCharWidth()))
         ticks = date_ticks(low + self._zero, high + self._zero, most)
         self._axes["bottom"].setTicks([[(at - self._zero, words) for at, words in ticks]])
 

@@ -1,13 +1,13 @@
 """The Archive tab: clicks in, `ArchiveState` out."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QObject, Signal
 
 from core.archive.entry import BAD, DAMAGED, DOUBT, Entry
 from core.archive.history import History
-from core.errors import LabError, Note
+from core.errors import LabError, Note, Severity
 from gui.archive.findings import name_of, of_details, of_import, of_redecoded, picture_of
 from gui.archive.library import Library
 from gui.archive.questions import (
@@ -43,17 +43,23 @@ class ArchivePresenter(QObject):
     ----------
     library : the archive
     messages : where failures are told
+    open_file : hands a file to the tab of a title; returns whether there is one
     """
 
     changed = Signal(object)
     """A new `ArchiveState`."""
-    open_wanted = Signal(object, object)
-    """The `Entry` that the operator wants to work with, and its path."""
 
-    def __init__(self, library: Library, messages: Messages, parent: QObject | None = None) -> None:
+    def __init__(
+        self,
+        library: Library,
+        messages: Messages,
+        open_file: Callable[[str, Path], bool],
+        parent: QObject | None = None,
+    ) -> None:
         super().__init__(parent)
         self._library = library
         self._messages = messages
+        self._open_file = open_file
         self._text = self._kind = ""
         self._listed: Listed | None = None
         self._chosen: tuple[int, ...] = ()
@@ -132,8 +138,13 @@ class ArchivePresenter(QObject):
 
     def _open(self) -> None:
         found = self._details
-        if found is not None and found.path is not None:
-            self.open_wanted.emit(found.entries[0], found.path)
+        if found is not None and found.opening is not None and self._chosen:
+            title, path = found.opening
+            if not self._open_file(title, path):
+                what = QCoreApplication.translate(
+                    "Archive", "There is no tab {title} to open it in"
+                )
+                self._messages.show(SOURCE, BannerState(Severity.WARNING, what.format(title=title)))
 
     # --- what the archive answers -----------------------------------------------------------------
 
@@ -283,9 +294,10 @@ class ArchivePresenter(QObject):
 
     def _items(self) -> tuple[ActionItem, ...]:
         one = self._details if self._chosen else None
-        path = None if one is None else one.path
+        opens = one is not None and one.opening is not None
         session = one is not None and len(self._chosen) == 1 and one.entries[0].kind == "session"
         nothing = QCoreApplication.translate("Archive", "Nothing is chosen.")
+        here = QCoreApplication.translate("Archive", "All that there is of it is shown here.")
         empty = self._listed is not None and not self._listed.anything
         busy = self._library.running in ("rebuild", "import")
         wait = QCoreApplication.translate("Archive", "The archive is being worked at.")
@@ -294,9 +306,9 @@ class ArchivePresenter(QObject):
                 "open",
                 QCoreApplication.translate("Archive", "Open"),
                 "Space",
-                path is not None,
-                path is not None,
-                nothing,
+                opens,
+                opens,
+                nothing if one is None else here,
             ),
             ActionItem(
                 "import",

@@ -14,6 +14,7 @@ from core.archive.reprocess import Redone, reprocess
 from core.errors import FormatError, Note, StorageError
 from core.fit.quantiles import student_t
 from core.records.session.record import read_session
+from gui.archive.opening import opening_of
 
 if TYPE_CHECKING:
     from core.archive.search import Hits
@@ -55,6 +56,7 @@ class Details:
     proposals : calibrations nearest to a measurement
     parameters : what can be followed
     path : file of the first; None if it stands elsewhere, and `why_not` tells
+    opening : title of the tab that can work with it, and what that tab is to load
     """
 
     entries: tuple[Entry, ...]
@@ -64,6 +66,7 @@ class Details:
     proposals: tuple[Proposal, ...]
     parameters: tuple[Parameter, ...]
     path: Path | None
+    opening: tuple[str, Path] | None
     why_not: str = ""
 
 
@@ -103,6 +106,7 @@ def details(archive: "Archive", numbers: Sequence[int]) -> Details:
         proposals=_proposals(archive, first),
         parameters=_parameters(archive, first, each[0]),
         path=path,
+        opening=None if path is None else opening_of(first, path),
         why_not=why_not,
     )
 

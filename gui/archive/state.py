@@ -13,7 +13,7 @@ class ListRow:
     Parameters
     ----------
     id : its number
-    cells : serial number, kind, moment, temperature, verdict, operator, plan or procedure
+    cells : serial number, kind, moment, verdict, temperature, operator, plan or procedure
     tone : of its verdict
     """
 

@@ -1,6 +1,6 @@
 """The Archive tab put together."""
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject
 
 from core.plans.plan import Plan, Step
 from gui.archive.exporting import Exporting
@@ -14,21 +14,17 @@ from gui.services import Services
 class ArchiveTab(QObject):
     """Presenter, view and what joins them."""
 
-    open_wanted = Signal(object, object)
-    """The `Entry` that the operator wants to work with, and its path."""
-
     def __init__(self, services: Services) -> None:
         super().__init__()
         self._titled = ""
         self.library = Library(services.jobs, services.root, self)
-        self.presenter = ArchivePresenter(self.library, services.messages, self)
+        self.presenter = ArchivePresenter(self.library, services.messages, services.open_file, self)
         self.view = ArchiveView(self.presenter)
         self.exporting = Exporting(self.presenter, services.root, services.messages, self)
         findings = self.view.findings
         findings.set_formats(self.exporting.formats)
         findings.export_requested.connect(self.exporting.export)
         self.presenter.changed.connect(self._on_changed)
-        self.presenter.open_wanted.connect(self.open_wanted)
 
     @property
     def widget(self) -> ArchiveView:

@@ -32,14 +32,14 @@ def listed(entry: Entry) -> tuple[str, ...]:
         entry.serial,
         entry.kind,
         local(entry.measured),
-        degrees(entry.temperature_c),
         entry.verdict,
+        degrees(entry.temperature_c),
         entry.operator,
         entry.what,
     )
 
 
-LISTED = ("serial", "kind", "measured", "°C", "verdict", "operator", "what")
+LISTED = ("serial", "kind", "measured", "verdict", "°C", "operator", "what")
 
 
 def parameter_row(quantity: Quantity, limit: Limit | None) -> tuple[str, ...]:

@@ -199,8 +199,8 @@ class ArchiveView(QWidget):
             self.tr("Serial no."),
             self.tr("Kind"),
             self.tr("Measured"),
-            "°C",
             self.tr("Verdict"),
+            "°C",
             self.tr("Operator"),
             self.tr("Plan or procedure"),
         )
