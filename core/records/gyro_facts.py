@@ -2,8 +2,9 @@
 
 import csv
 import io
+import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from core.errors import FitError, FormatError, Note, Severity
@@ -149,6 +150,7 @@ def _of_fit(device: str, channel: str, source: str, fit: FitResult) -> Facts:
 def _of_run(run: Run, path: Path, conditions: Conditions) -> tuple[Facts, ...]:
     if run.sensor != "gyro":
         raise FitError(f"{path.name} holds accelerometers; gyros are compared here")
+    conditions = _stated(run.conditions, conditions)
     if run.test == "rate_table":
         gyros = [
             (sensor.channel, Gyro(sensor.channel, rate=sensor), sensor.notes)
@@ -164,6 +166,14 @@ def _of_run(run: Run, path: Path, conditions: Conditions) -> tuple[Facts, ...]:
             for sensor in fit_g_sensitivity(run, conditions).sensors
         )
     raise FitError(f"{path.name} holds the test {run.test!r}; it tells nothing that is compared")
+
+
+def _stated(of_run: Conditions, otherwise: Conditions) -> Conditions:
+    """What the run states of g, latitude and settings, and the other where it states nothing."""
+    names = ("g_mps2", "u_g_mps2", "latitude_deg", "head_u_arcsec", "rate_u_ppm", "rate_u_dps")
+    told = {name: getattr(of_run, name) for name in names}
+    stated = {name: value for name, value in told.items() if math.isfinite(value)}
+    return replace(otherwise, **stated)
 
 
 def _known(gyro: Gyro, rows: tuple[str, ...]) -> dict[str, Estimate]:

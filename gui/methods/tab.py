@@ -13,6 +13,7 @@ PAGES: dict[str, str] = {
     "advisor": "gui.advisor.page",
     "tumble": "gui.tumble.page",
     "gyrocompass": "gui.gyrocompass.page",
+    "comparison": "gui.comparison.page",
 }
 """Every page: its key and the module that makes it."""
 

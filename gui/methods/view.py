@@ -125,6 +125,7 @@ class MethodsView(QWidget):
             "advisor": self.tr("Which procedure?"),
             "tumble": self.tr("Fourier tumble"),
             "gyrocompass": self.tr("Gyrocompass"),
+            "comparison": self.tr("Compare gyros"),
         }
         for place, key in enumerate(self._keys):
             self.list.item(place).setText(titles[key])
