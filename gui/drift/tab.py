@@ -56,6 +56,10 @@ class DriftTab(QObject):
         """Nothing has to be set on the rig."""
         return None
 
+    def load(self, path: Path) -> None:
+        """Take the record of a turn-on, or a folder of them."""
+        self.presenter.add([str(path)])
+
     def close(self) -> None:
         """Let go of the plots."""
         self.view.drop_plots()

@@ -57,6 +57,10 @@ class ThermalTab(QObject):
         """Nothing has to be set on the rig."""
         return None
 
+    def load(self, path: Path) -> None:
+        """Take a session's folder, or a file with positions over temperature."""
+        self.presenter.add([str(path)])
+
     def close(self) -> None:
         """Let go of the plots."""
         self.view.drop_plots()

@@ -271,3 +271,9 @@ def test_the_newest_wish_is_the_one_that_is_shown(
         tab.presenter.decide(Settings(knots=knots))
     qtbot.waitUntil(lambda: not tab.library.busy, timeout=20_000)
     assert len(tab.library.result.table.times_s) == 6
+
+
+def test_another_tab_hands_a_folder_over(tab: DriftTab, qtbot: QtBot, folder: Path) -> None:
+    tab.load(folder)
+    qtbot.waitUntil(lambda: not tab.library.busy, timeout=20_000)
+    assert tab.library.result is not None

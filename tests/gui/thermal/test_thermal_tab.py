@@ -273,3 +273,9 @@ def test_a_whole_cycle_is_computed_in_a_blink() -> None:
     begun = time.process_time()
     computed([run], (), settings)
     assert time.process_time() - begun < 0.5
+
+
+def test_another_tab_hands_a_folder_over(tab: ThermalTab, qtbot: QtBot, folder: Path) -> None:
+    tab.load(folder)
+    qtbot.waitUntil(lambda: not tab.library.busy, timeout=20_000)
+    assert tab.library.outcome is not None
