@@ -119,6 +119,9 @@ class MeasuringTab(Generic[S], QObject):
             return False
         self._plans[plan.id] = plan
         self.presenter.set_plan(plan.id)
+        if self.sitting.plan.steps != plan.steps:
+            # It has the name of the plan that was there.
+            self.presenter.set_steps(plan.steps)
         return True
 
     def close(self) -> None:

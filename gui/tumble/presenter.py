@@ -1,6 +1,6 @@
 """The page Fourier tumble: clicks in, `TumbleState` out."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -9,10 +9,10 @@ from PySide6.QtCore import QCoreApplication, QObject, Signal
 
 from core.errors import FormatError, LabError
 from core.procedures.fourier.study import TumbleRequest, TumbleStudy, study_tumble
-from core.records.open import read_any
 from core.records.session.find import newest_session
 from core.samples.run import Conditions, Run
 from gui.jobs import Jobs
+from gui.measuring.loading import Choice, load, mounts_asked
 from gui.messages import Messages
 from gui.tumble.findings import findings_of
 from gui.tumble.pictures import bars_of, polar_of
@@ -62,6 +62,8 @@ class TumblePresenter(QObject):
         self._found: _Found | None = None
         self._busy = False
         self._waiting = False
+        self._loading: Path | None = None
+        messages.action.connect(self._on_action)
 
     @property
     def study(self) -> TumbleStudy | None:
@@ -98,15 +100,19 @@ class TumblePresenter(QObject):
 
     # --- what the operator does -------------------------------------------------------------------
 
-    def load(self, name: str) -> None:
-        """Read a session, a run file or a legacy file."""
+    def load(
+        self, name: str, device: str | None = None, mounts: Sequence[str] | None = None
+    ) -> None:
+        """Read a session, a run file or a legacy file; a file may leave device or mounts open."""
         path, choices = Path(name), replace(self._choices, channel="")
-        self._start(lambda: _read(path, choices))
+        self._loading = path
+        self._start(lambda: _read(path, choices, device, mounts))
 
     def load_newest(self) -> None:
         """Read the newest session of the dividing head."""
         root, choices = self._root(), replace(self._choices, channel="")
-        self._start(lambda: _read(_newest(root), choices))
+        self._loading = None
+        self._start(lambda: _read(_newest(root), choices, None, None))
 
     def act(self, key: str) -> None:
         """A button of the row of actions."""
@@ -137,9 +143,14 @@ class TumblePresenter(QObject):
         self._tell()
 
     def _on_done(self, result: object) -> None:
+        self._busy = False
+        if isinstance(result, Choice):
+            self._waiting = False
+            self._messages.show(SOURCE, result.banner())
+            self._tell()
+            return
         if not isinstance(result, _Found):
             raise TypeError(f"a tumble brought {type(result).__name__}")
-        self._busy = False
         decided = self._choices if self._waiting else result.choices
         self._found, self._choices = result, decided
         if isinstance(result.study, LabError):
@@ -154,8 +165,18 @@ class TumblePresenter(QObject):
     def _on_failed(self, error: LabError) -> None:
         self._busy = self._waiting = False
         words = QCoreApplication.translate("Tumble", "The file is refused")
-        self._messages.tell_error(SOURCE, words, error)
+        self._messages.tell_error(SOURCE, words, error, *mounts_asked(error))
         self._tell()
+
+    def _on_action(self, source: str, key: str) -> None:
+        """A button of the banner that asked what a file leaves open."""
+        if source != SOURCE or self._loading is None:
+            return
+        kind, _, value = key.partition(" ")
+        if kind == "device":
+            self.load(str(self._loading), device=value)
+        elif kind == "mounts":
+            self.load(str(self._loading), mounts=value.split(","))
 
     # --- what is shown ----------------------------------------------------------------------------
 
@@ -233,8 +254,12 @@ def _newest(root: Path) -> Path:
     return folder
 
 
-def _read(path: Path, choices: TumbleChoices) -> _Found:
-    run = read_any(path, sensor="accelerometer")
+def _read(
+    path: Path, choices: TumbleChoices, device: str | None, mounts: Sequence[str] | None
+) -> _Found | Choice:
+    run = load(path, device, mounts, "accelerometer")
+    if isinstance(run, Choice):
+        return run
     known = run.conditions
     stated = {
         "g_mps2": known.g_mps2,

@@ -16,6 +16,8 @@ from gui.methods.tab import MethodsTab
 from gui.tumble.page import TumblePage
 from gui.tumble.presenter import TumblePresenter
 
+LEGACY = Path(__file__).parents[2] / "data" / "legacy" / "OpticalDividingHead_202405131405.txt"
+
 
 @pytest.fixture
 def page(tab: MethodsTab) -> TumblePage:
@@ -188,3 +190,22 @@ def test_the_pictures_paint_in_any_size(
     for width, height in ((200, 160), (900, 300), (1600, 1200)):
         page.content.resize(width, height)
         assert not page.content.grab().isNull()
+
+
+def test_a_legacy_file_of_two_devices_asks_which_one_is_meant(
+    tab: MethodsTab, page: TumblePage, qtbot: QtBot, tmp_path: Path
+):
+    text = LEGACY.read_text("utf-8")
+    rows = [line for line in text.splitlines() if "Colibrys" in line]
+    path = tmp_path / "two.txt"
+    others = "\n".join(line.replace("Colibrys", "Other") for line in rows)
+    path.write_text(f"{text.rstrip()}\n{others}\n", encoding="utf-8")
+    load(page, path, qtbot)
+    banner = tab.messages.current
+    assert banner is not None
+    assert [action.text for action in banner.actions] == ["Colibrys", "Other"]
+    tab.messages.press(banner.actions[1].key)
+    done(page.presenter, qtbot)
+    assert page.presenter.device == "Other"
+    # Four positions of a unit show no second harmonic.
+    assert "multiples of 90" in page.presenter.state.frame.hint
