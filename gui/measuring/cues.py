@@ -257,8 +257,14 @@ def _mark(
 
 def _values(means: list[float]) -> str:
     few = means if len(means) <= 3 else means[:2]
-    shown = "  ".join(fixed(value, 0 if abs(value) >= 100.0 else 1) for value in few)
+    shown = "  ".join(_short(value) for value in few)
     return f"{shown} …" if len(means) > len(few) else shown
+
+
+def _short(value: float) -> str:
+    """A mean: codes are large, volts small."""
+    size = abs(value)
+    return fixed(value, 0 if size >= 100.0 else 1 if size >= 10.0 else 4)
 
 
 def _sentence(text: str) -> str:

@@ -66,12 +66,15 @@ class LiveMeans:
         roles = [channel.role for channel in self._blocks[-1].channels]
         mean = dict(zip(roles, data.mean(axis=0), strict=True))
         std = dict(zip(roles, data.std(axis=0, ddof=1), strict=True))
+        decimals = 1 if device.unit == "code" else 6
         scaled = all(row.main in std_scale for row in device.rows)
         rows = tuple(
             LiveRow(
                 name=row.name,
-                mean=_text(mean, row.main, 1),
-                std=_std_text(float(std[row.main]), std_scale[row.main] if scaled else None),
+                mean=_text(mean, row.main, decimals),
+                std=_std_text(
+                    float(std[row.main]), std_scale[row.main] if scaled else None, decimals + 1
+                ),
                 temp=_text(mean, row.main_temp, 0),
                 other_mean=_text(mean, row.other, 1),
                 other_temp=_text(mean, row.other_temp, 0),
@@ -81,10 +84,10 @@ class LiveMeans:
         return replace(shape, rows=rows, std_unit=std_unit if scaled else device.unit)
 
 
-def _std_text(value: float, scale: float | None) -> str:
+def _std_text(value: float, scale: float | None, decimals: int) -> str:
     """A standard deviation; in its own unit large ones need fewer decimals."""
     if scale is None:
-        return fixed(value, 2)
+        return fixed(value, decimals)
     return fixed(value * scale, 3 if value * scale < _LARGE else 1)
 
 
