@@ -22,7 +22,12 @@ from gui.app import Application, Options
 from gui.measuring.demonstrating import Told
 from gui.widgets.theme import apply_theme
 
-STEPS: tuple[str, ...] = ("gui.dividing_head.demo", "gui.rate_table.demo")
+STEPS: tuple[str, ...] = (
+    "gui.dividing_head.demo",
+    "gui.rate_table.demo",
+    "gui.thermal.demo",
+    "gui.drift.demo",
+)
 """Modules with ``play(stage) -> Told``, in the order of playing."""
 
 _SIZE = QSize(1280, 800)

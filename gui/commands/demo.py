@@ -11,7 +11,12 @@ from pathlib import Path
 from drivers.virtual.truth import report
 from gui.commands.answer import Answer
 
-_PARTS = {"head": "gui.dividing_head.demo", "rate": "gui.rate_table.demo"}
+_PARTS = {
+    "head": "gui.dividing_head.demo",
+    "rate": "gui.rate_table.demo",
+    "thermal": "gui.thermal.demo",
+    "drift": "gui.drift.demo",
+}
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
