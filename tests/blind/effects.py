@@ -176,7 +176,7 @@ COMMON = {
     "pickup": Kind(line, lines),
     "stuck_reading": Kind(row_of, private=False, natural=True),
     "positions_swapped": Kind(swapped, private=False, natural=True),
-    "stale_temperature": Kind(private=False, natural=True, needs=("temperature",)),
+    "stale_temperature": Kind(private=False, natural=True, needs=("temperature", "many")),
 }
 CHOICE = {
     "other": lambda rng, w: {"other": int(rng.integers(2))},
@@ -281,6 +281,7 @@ def has(world: World, need: str) -> bool:
         "setups": setups(plan) > 1,
         "repeats": len(places) < plan.size,
         "triad": world.outputs == 3,
+        "many": plan.size >= 20,
         "amplitude": world.has_amplitude,
     }[need]
 

@@ -55,18 +55,27 @@ def engine_of(name: str) -> Engine:
     return getattr(importlib.import_module(module), function)
 
 
+def asked(engine: Engine, path: Path) -> dict[str, Any]:
+    """The answer; a crash of the engine is a result as well."""
+    try:
+        return engine(path)
+    except Exception as error:  # noqa: BLE001  (whatever it is, the other cases go on)
+        return {
+            "verdict": f"crash: {error!r}",
+            "steps": [],
+            "before": {"rms": None},
+            "after": {"rms": None},
+        }
+
+
 def answer(job: tuple[Spec, str, str, str, str]) -> dict[str, Any]:
     """Ask the engine, then open the key."""
     spec, seal_hash, folder, engine_name, group = job
     engine = engine_of(engine_name)
     path = (Path(folder) / file_name(spec)).with_suffix(".run.csv")
-    start = time.perf_counter()
-    try:
-        given = engine(path)
-    except Exception as error:  # noqa: BLE001  (a crash of the engine is a result as well)
-        given = {"verdict": f"crash: {error!r}", "steps": [], "before": {"rms": 1.0}}
-        given["after"] = given["before"]
-    seconds = time.perf_counter() - start
+    start = time.process_time()
+    given = asked(engine, path)
+    seconds = time.process_time() - start
     text = path.with_name(path.name.replace(".run.csv", ".key.json")).read_text("utf-8")
     if hashlib.sha256(text.encode()).hexdigest() != seal_hash:
         raise ValueError(f"{path}: the key is not the one that was sealed")
@@ -95,18 +104,18 @@ def advised(
     """Measure what the engine asks for, or a sweep chosen by lot, and ask it again."""
     case = draw_case(spec, key)
     rng = np.random.default_rng(spec.seed + 1)
-    asked: list[Sweep] = [(s["mount"], list(s["settings"])) for s in given.get("advice") or []]
+    proposed: list[Sweep] = [(s["mount"], list(s["settings"])) for s in given.get("advice") or []]
     mount = str(rng.choice(["X_from", "X_to", "Y_from", "Y_to"]))
     by_lot: list[Sweep] = [(mount, around(15.0, bool(rng.integers(2))))]
     out = {}
-    for name, sweeps in (("advice", asked), ("lot", by_lot)):
+    for name, sweeps in (("advice", proposed), ("lot", by_lot)):
         if not sweeps:
             out[f"unique_{name}"] = False
             continue
         again = continued(case, longer(case.world.plan, sweeps), rng)
         path = folder / f"{file_name(spec)}-{name}.run.csv"
         path.write_text(again.text, encoding="utf-8")
-        result = scoring.score(key, engine(path))
+        result = scoring.score(key, asked(engine, path))
         out[f"unique_{name}"] = bool(result.get("unique"))
     return out
 

@@ -82,7 +82,7 @@ def held(step: dict[str, Any]) -> set[str]:
 
 def is_sure(step: dict[str, Any]) -> bool:
     lone = not step.get("indistinguishable_from")
-    return lone and step.get("probability", 1.0) >= SURE and step["effect"] != UNKNOWN
+    return lone and (step.get("probability") or 0.0) >= SURE and step["effect"] != UNKNOWN
 
 
 def score(key: dict[str, Any], answer: dict[str, Any]) -> dict[str, Any]:
@@ -169,7 +169,7 @@ def parameter_z(key: dict[str, Any], steps: list[dict[str, Any]]) -> float:
     for parameter in step.get("parameters", []):
         factor = factor_of(parameter["unit"], scale, key["unit"])
         spread = parameter.get("u")
-        if factor is None or not spread or not math.isfinite(spread):
+        if factor is None or not spread or parameter["value"] is None:
             continue
         value, u, truth = parameter["value"] * factor, spread * factor, effect["size"]
         return (abs(value) - abs(truth)) / u
@@ -179,5 +179,7 @@ def parameter_z(key: dict[str, Any], steps: list[dict[str, Any]]) -> float:
 def closure(key: dict[str, Any], answer: dict[str, Any]) -> float:
     """Closed part of the gap that the oracle closes."""
     before, after = answer["before"]["rms"], answer["after"]["rms"]
+    if before is None or after is None:  # nothing was judged
+        return math.nan
     oracle = before * key["oracle_rms"] / key["before_rms"]
     return (before - after) / (before - oracle) if before > oracle * 1.0001 else math.nan

@@ -128,7 +128,7 @@ def temperatures(plan: Plan, rng: np.random.Generator) -> tuple[np.ndarray, np.n
     for row in range(1, len(t)):
         part = 1.0 - np.exp(-(t[row] - t[row - 1]) / lag)
         seen[row] = seen[row - 1] + part * (true[row] - seen[row - 1])
-    return true, np.round((seen + rng.normal(size=len(t)) * 0.005) / 0.02) * 0.02
+    return true, np.round((seen + rng.normal(size=len(t)) * 0.01) / 0.02) * 0.02
 
 
 SENSORS = {"dividing_head": ("accelerometer",), "rate_table": ("rate_gyro",)}
