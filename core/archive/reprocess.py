@@ -17,6 +17,7 @@ from core.samples.block import Channel, SampleBlock
 Decode = Callable[[Path], Sequence[SampleBlock]]
 """Decodes the bytes of a raw log from its beginning, so that samples have their old numbers."""
 
+SUFFIX = ".calrec"
 _SAME = 1e-9
 
 
@@ -71,19 +72,25 @@ def reprocess(record: SessionRecord, raw: Path, decode: Decode) -> tuple[Redone,
 
 
 def _redo(record: SessionRecord, position: Position, raw: Path, decode: Decode) -> Redone:
-    place = position.raw
-    if place is None:
-        return _failed(position, "its raw bytes were not recorded")
-    path = next(
-        (one for one in (record.folder / place.name, raw / place.name) if one.exists()), None
-    )
+    path = _log_of(record, position, raw)
     if path is None:
-        return _failed(position, f"its raw log {place.name} is not there")
+        return _failed(position, "its raw bytes were not recorded")
+    if not path.exists():
+        return _failed(position, f"its raw log {path.name} is not there")
     try:
         again = _accumulated(path, decode(path), position, record)
     except LabError as error:
         return _failed(position, str(error))
     return _compared(position, again)
+
+
+def _log_of(record: SessionRecord, position: Position, raw: Path) -> Path | None:
+    """The raw log of a position: the one that it names, or the only one in the session's folder."""
+    if position.raw is None:
+        logs = list(record.folder.glob(f"*{SUFFIX}"))
+        return logs[0] if len(logs) == 1 else None
+    beside = record.folder / position.raw.name
+    return beside if beside.exists() else raw / position.raw.name
 
 
 def _accumulated(
