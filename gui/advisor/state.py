@@ -15,7 +15,7 @@ TYPICAL: dict[str, Noise] = {
     "accelerometer": (1e-3, 0.0, 0.0),
     "gyro": (1.6667e-4, 0.0, 0.0),
 }
-"""White noise to begin with: 0.1 mg/sqrt(Hz) and 0.01 deg/sqrt(h), nearly."""
+"""White noise to begin with: 0.1 mg sqrt(s), nearly, and 0.01 deg/sqrt(h)."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -53,8 +53,10 @@ class CompassView(QWidget):
         painter.setFont(self.font())
         unit = painter.fontMetrics().height()
         head = 2.6 * unit
-        radius = min(size.width() / 2.0, (size.height() - head) / 2.0) - 2.2 * unit
-        middle = QPointF(size.width() / 2.0, head + (size.height() - head) / 2.0)
+        # Below stands how the wedge is drawn.
+        height = size.height() - head - 1.4 * unit
+        radius = min(size.width(), height) / 2.0 - 2.0 * unit
+        middle = QPointF(size.width() / 2.0, head + height / 2.0)
         self._rose(painter, middle, radius, unit)
         self._readings(painter, middle, radius, unit)
         if math.isfinite(self._state.heading_deg):
