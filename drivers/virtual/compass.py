@@ -9,7 +9,8 @@ from core.units import DEG_PER_RAD
 _LEVEL_NT = 20_000.0
 _DOWN_NT = 45_500.0
 _HARD_IRON_NT = np.array([310.0, -140.0, 220.0])
-_OWN_ERROR_DEG = {"heading": 0.4, "pitch": 0.02, "roll": -0.05}
+OWN_ERROR_DEG = {"heading": 0.4, "pitch": 0.02, "roll": -0.05}
+"""What the electronics of the unit add to its own angles."""
 
 MAG_ROLES = ("mag.x", "mag.y", "mag.z")
 ANGLE_ROLES = ("angle.heading", "angle.pitch", "angle.roll")
@@ -31,7 +32,7 @@ def own_angles(stimulus: Stimulus) -> FloatArray:
     roll = np.arctan2(-up[:, 0], up[:, 2])
     east = np.cross(north, up)
     heading = np.arctan2(east[:, 1], north[:, 1])
-    angles = np.column_stack([heading, pitch, roll]) * DEG_PER_RAD + [*_OWN_ERROR_DEG.values()]
+    angles = np.column_stack([heading, pitch, roll]) * DEG_PER_RAD + [*OWN_ERROR_DEG.values()]
     angles[:, 0] %= 360.0
     return angles
 

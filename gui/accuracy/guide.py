@@ -35,7 +35,7 @@ class AccuracyWords(HeadWords):
         self.lists = say("Angles")
 
     def setting(self, step: Step) -> str:
-        return f"{angle_words(self._reached(step))}   ({self._dial(step)})"
+        return f"{angle_words(self._reached(step))} ({self._dial(step)})"
 
     def order(self, step: Step) -> str:
         return say("Turn to {dial}").format(dial=angle_words(step.head_deg))

@@ -1,7 +1,7 @@
 """The results page: verdicts, the graph with its pages and traces, readouts and tables below."""
 
 from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QPainter, QPaintEvent
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QLabel, QTabBar, QVBoxLayout, QWidget
 
 from gui.accuracy.graph_view import ErrorGraph
@@ -36,7 +36,6 @@ class AccuracyResultsView(ResultsView):
         self.tabs.setExpanding(False)
         self.tabs.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.tabs.currentChanged.connect(self._on_tab)
-        self.graph.setMinimumHeight(14 * unit)
         self._chip_row, self._toggle_row = QHBoxLayout(), QHBoxLayout()
         self._chip_row.setSpacing(unit)
         self._toggle_row.setSpacing(unit)
@@ -51,6 +50,12 @@ class AccuracyResultsView(ResultsView):
         box.addWidget(self._rule)
         self._upper = upper
         self._column.insertWidget(0, upper)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """The graph takes its share of the page; the tables below it are scrolled."""
+        super().resizeEvent(event)
+        unit = self.fontMetrics().height()
+        self.graph.setMinimumHeight(min(max(11 * unit, round(0.42 * self.height())), 24 * unit))
 
     def render(self, state: ResultsPage | None) -> None:
         """Show a state; tables that stay as they are keep their selection."""

@@ -119,7 +119,7 @@ class AdcPanel(QWidget):
 
     def minimumSizeHint(self) -> QSize:
         unit = self.fontMetrics().height()
-        return QSize(20 * unit, 8 * unit)
+        return QSize(20 * unit, 11 * unit)
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
