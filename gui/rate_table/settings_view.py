@@ -136,7 +136,7 @@ class RateForm(SettingsForm[RateSettings]):
         )
         self._full_scale.setSpecialValueText(self.tr("largest rate"))
         self._latitude.setSpecialValueText(self.tr("not stated"))
-        self._azimuth_known.setText(self.tr("Azimuth of the shaft, deg"))
+        self._azimuth_known.setText(self.tr("Azimuth, deg"))
         self._azimuth.setAccessibleName(self.tr("Azimuth of the shaft, deg"))
         self._rates.setPlaceholderText("\N{MINUS SIGN}40 \N{MINUS SIGN}20 0 20 40")
         self._both_ways.setText(self.tr("Up and down"))
