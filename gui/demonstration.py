@@ -25,6 +25,7 @@ from gui.widgets.theme import apply_theme
 STEPS: tuple[str, ...] = (
     "gui.dividing_head.demo",
     "gui.rate_table.demo",
+    "gui.accuracy.demo",
     "gui.thermal.demo",
     "gui.drift.demo",
 )

@@ -14,6 +14,7 @@ from gui.commands.answer import Answer
 _PARTS = {
     "head": "gui.dividing_head.demo",
     "rate": "gui.rate_table.demo",
+    "accuracy": "gui.accuracy.demo",
     "thermal": "gui.thermal.demo",
     "drift": "gui.drift.demo",
 }
