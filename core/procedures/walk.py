@@ -11,8 +11,8 @@ from core.procedures.measuring import Measuring
 from core.procedures.recognise import Expectation, Nominal
 from core.samples.block import Channel, chosen_columns
 
-_ON_TABLE = "rate_table"
-_RECOGNISED_BY = {_ON_TABLE: ("rate.", "adc.")}
+_ON_TABLE, _ON_BASE = "rate_table", "headings"
+_RECOGNISED_BY = {_ON_TABLE: ("rate.", "adc."), _ON_BASE: ("rate.", "adc.")}
 _OTHERWISE = ("acc.", "adc.", "rate.")
 
 
@@ -20,6 +20,8 @@ def label_of(plan: Plan, step: Step) -> str:
     """How the operator calls a step: ``"position 3 (180 deg)"``, ``"rate 2 (-80 deg/s)"``."""
     if plan.test == _ON_TABLE:
         return f"rate {step.number} ({step.rate_dps:+g} deg/s)"
+    if plan.test == _ON_BASE:
+        return f"heading {step.number} ({step.head_deg:g} deg)"
     return f"position {step.number} ({step.head_deg:g} deg)"
 
 
@@ -65,13 +67,15 @@ def walk_of(
     role = checked_role(plan, channels)
 
     def input_of(step: Step) -> FloatArray:
-        if plan.test != _ON_TABLE:
+        if plan.test not in _RECOGNISED_BY:
             return step.specific_force(g, base)
+        # A level base sets no rate; what the Earth does is what is sought.
         rates = np.zeros(3)
         rates[AXES.index(step.axis)] = step.rate_dps
         return rates
 
-    full = g if plan.test != _ON_TABLE else max(abs(step.rate_dps) for step in plan.steps)
+    largest = max(abs(step.rate_dps) for step in plan.steps)
+    full = largest or 1.0 if plan.test in _RECOGNISED_BY else g
     axes = tuple(_axis(channels[place]) for place in chosen_columns(channels, role))
     return Measuring(
         plan.steps,
