@@ -260,3 +260,34 @@ def test_reopening_gives_up_what_is_being_accumulated_for_another_step() -> None
     walk.reopen(STEPS[0].number)
     assert walk.status.progress == 0.0
     assert run(walk, head.rest(4.0)) == []
+
+
+def test_hands_free_on_a_rig_that_is_not_set_yet_waits_for_its_motion() -> None:
+    walk, head = a_walk(), Head()
+    walk.wait_for_motion()
+    walk.set_hands_free(True)
+    assert run(walk, head.rest(8.0)) == []
+    assert walk.status.phase is Phase.TURN
+    outcomes = run(walk, head.turn(STEPS[2]))
+    outcomes += run(walk, head.turn(STEPS[0]))
+    outcomes += run(walk, head.rest(8.0))
+    assert [outcome.step for outcome in outcomes] == [STEPS[0]]
+
+
+def test_each_step_may_have_its_own_time() -> None:
+    walk = Measuring(
+        STEPS,
+        lambda step: step.specific_force(G),
+        lambda step: f"position {step.number}",
+        Expectation(G, ("x", "y", "z")),
+        "acc.",
+        accumulation_s=lambda step: 1.0 + step.number,
+        settle_s=1.0,
+        rate=RATE,
+    )
+    head = Head()
+    for step in STEPS[:2]:
+        run(walk, head.turn(step))
+        walk.start()
+        (outcome,) = run(walk, head.rest(6.0))
+        assert outcome.accumulation.n == 100 * (1 + step.number)
