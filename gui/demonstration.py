@@ -10,6 +10,7 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from urllib.parse import urlencode
 
 from PySide6.QtCore import QSize
 from PySide6.QtWidgets import QApplication
@@ -26,6 +27,8 @@ STEPS: tuple[str, ...] = (
     "gui.dividing_head.demo",
     "gui.rate_table.demo",
     "gui.accuracy.demo",
+    "gui.live.demo",
+    "gui.allan.demo",
     "gui.thermal.demo",
     "gui.drift.demo",
 )
@@ -105,8 +108,9 @@ class _Scene:
         application.start()
         self.until(lambda: bool(ready), "the tabs did not come")
 
-    def connect(self, device: str) -> Rig:
-        url = f"sim://{device}?speed={_SPEED}&seed={self._seed}&name=demo{time.time_ns()}"
+    def connect(self, device: str, **changes: object) -> Rig:
+        query = {"speed": _SPEED, "seed": self._seed, "name": f"demo{time.time_ns()}", **changes}
+        url = f"sim://{device}?{urlencode(query)}"
         connection = self._application.connection
         self._application.open_simulated(url)
         self.until(lambda: connection.link is not None, "the rig could not be opened")

@@ -15,6 +15,8 @@ _PARTS = {
     "head": "gui.dividing_head.demo",
     "rate": "gui.rate_table.demo",
     "accuracy": "gui.accuracy.demo",
+    "live": "gui.live.demo",
+    "allan": "gui.allan.demo",
     "thermal": "gui.thermal.demo",
     "drift": "gui.drift.demo",
 }

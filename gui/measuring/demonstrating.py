@@ -14,8 +14,8 @@ from gui.measuring.tab import MeasuringTab
 class Stage(Protocol):
     """The window on the simulated rig, as a demonstration handles it."""
 
-    def connect(self, device: str) -> Rig:
-        """Open another simulated device, and wait until it sends."""
+    def connect(self, device: str, **changes: object) -> Rig:
+        """Open another simulated device; `changes` are keys of its address, such as ``speed``."""
         ...
 
     def show(self, title: str) -> object:
