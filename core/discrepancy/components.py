@@ -107,13 +107,12 @@ def _white(problem: Problem) -> tuple[FloatArray, float]:
     """(n c,) variance of the accumulations, and how well its size is known."""
     se, channel = problem.se, problem.channel
     if np.all(np.isfinite(se)) and np.all(se > 0):
-        # Single standard errors scatter; their pooled size is what is known well.
+        # Single standard errors scatter, and that of a disturbed row must not hide it.
         pooled = np.empty_like(se)
         for one in range(problem.channels):
             own = channel == one
             pooled[own] = np.median(se[own])
-        big = se > 3.0 * pooled
-        return np.where(big, se, pooled) ** 2, 0.25
+        return pooled**2, 0.25
     variance = np.empty_like(problem.y)
     design = problem.design()
     residual = problem.y - design @ np.linalg.lstsq(design, problem.y, rcond=None)[0]

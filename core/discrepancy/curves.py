@@ -15,6 +15,8 @@ _HARMONICS = 8
 _POWERS = 7
 _WAVES = 8
 _GROUPS = ("mount", "run")
+_NAMED = (*_GROUPS, "direction")
+_LOCAL_DEG, _LOCAL = 20.0, 0.12
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -25,13 +27,16 @@ class Regressor:
     ----------
     name, unit : of the regressor
     x : (n c,) its value in each stacked row
-    basis : (n c, q) unknown curve of unit amplitude, in units of the typical noise
+    basis : (n c, q) unknown curve of unit amplitude, in units of the noise
+    competes : it stands for structure that no name describes; offsets of runs and mountings and
+        the two directions are names themselves
     """
 
     name: str
     unit: str
     x: FloatArray
     basis: FloatArray
+    competes: bool
 
 
 def regressors_of(problem: Problem, sigma: FloatArray) -> tuple[Regressor, ...]:
@@ -44,7 +49,11 @@ def regressors_of(problem: Problem, sigma: FloatArray) -> tuple[Regressor, ...]:
     channels = np.eye(problem.channels)
     return tuple(
         Regressor(
-            name, unit, np.tile(x, problem.channels), np.kron(channels, basis) * sigma[:, None]
+            name,
+            unit,
+            np.tile(x, problem.channels),
+            np.kron(channels, basis) * sigma[:, None],
+            name not in _NAMED,
         )
         for name, unit, x, basis in (*_settings(problem), *_circumstances(problem))
         if np.ptp(x) > 0.0 and basis.shape[1]
@@ -58,12 +67,17 @@ def _settings(problem: Problem) -> list[_Described]:
     """What was set, row by row of one channel."""
     run, a = problem.run, problem.stimulus.a
     if run.test == "rate_table":
-        return [("set_rate_dps", "deg/s", run.set_rate_dps, _powers(run.set_rate_dps))]
+        rate = run.set_rate_dps
+        return [
+            ("set_rate_dps", "deg/s", rate, _powers(rate)),
+            ("set_rate_dps", "deg/s", rate, _bumps(rate)),
+        ]
     head = np.mod(run.head_deg, 360.0)
     size = float(np.max(np.abs(a)))
     changing = [i for i in range(3) if np.ptp(a[:, i]) > 1e-6 * size]
     return [
         ("head_deg", "deg", head, _harmonics(head)),
+        ("head_deg", "deg", head, _bumps_around(head)),
         *((f"a_{'xyz'[i]}", "m/s^2", a[:, i], _powers(a[:, i])) for i in changing),
     ]
 
@@ -157,7 +171,22 @@ def _powers(values: FloatArray, highest: int = _POWERS) -> FloatArray:
 def _waves(t: FloatArray) -> FloatArray:
     span = float(np.ptp(t))
     x = (t - t[0]) / (span if span > 0.0 else 1.0)
-    return np.column_stack([np.cos(np.pi * k * x) / k for k in range(1, _WAVES + 1)])
+    turns = np.where(np.arange(len(t)) % 2, -1.0, 1.0)  # every other row
+    waves = [np.cos(np.pi * k * x) / k for k in range(1, _WAVES + 1)]
+    return np.column_stack([*waves, turns, turns * np.cos(np.pi * x)])
+
+
+def _bumps_around(head_deg: FloatArray) -> FloatArray:
+    """Curves that are local in the head angle."""
+    away = (head_deg[:, None] - np.arange(0.0, 360.0, _LOCAL_DEG) + 180.0) % 360.0 - 180.0
+    return np.exp(-0.5 * (away / _LOCAL_DEG) ** 2)
+
+
+def _bumps(values: FloatArray) -> FloatArray:
+    """Curves that are local in a regressor."""
+    width = _LOCAL * float(np.ptp(values))
+    centres = float(values.min()) + float(np.ptp(values)) * np.arange(12) / 11.0
+    return np.exp(-0.5 * ((values[:, None] - centres) / width) ** 2)
 
 
 def _groups(values: FloatArray) -> FloatArray:

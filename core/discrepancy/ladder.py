@@ -18,7 +18,7 @@ from core.discrepancy.search import Scored
 from core.discrepancy.settings import Settings
 from core.discrepancy.slots import Slot, State
 from core.discrepancy.steps import candidates_of, fit_slots, steps_of, unknown_step
-from core.discrepancy.verdict import FEWEST, notes_of, summary_of, verdict_of
+from core.discrepancy.verdict import FEWEST, doubted, notes_of, summary_of, verdict_of
 from core.errors import FitError, Note, RankDeficient, Severity
 from core.model.sensor_model import SensorModel
 from core.samples.run import Run
@@ -135,8 +135,10 @@ class Ladder:
         steps = steps_of(engine, self.state, self.by_hand)
         if self.unknown is not None:
             steps = (*steps, unknown_step(engine, self.state, self.unknown))
-        after = steps[-1].after if steps else before
         noise = engine.floor.result(problem.run.unit)
+        left = locate(engine, self.state) if self.slots else ()
+        steps = doubted(steps, noise, left)
+        after = steps[-1].after if steps else before
         verdict = verdict_of(steps, noise, after)
         smallest = smallest_of(engine)
         curve = steps[-1].curve if self.unknown is not None else 0.0
@@ -148,7 +150,7 @@ class Ladder:
             after=after,
             held_out_before=held_out_gap(engine, plain),
             where=locate(engine, plain),
-            where_after=locate(engine, self.state) if self.slots else (),
+            where_after=left,
             steps=steps,
             candidates=candidates_of(engine, self.state),
             threshold=engine.search.threshold,

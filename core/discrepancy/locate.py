@@ -37,8 +37,11 @@ def locate(engine: Engine, state: State) -> tuple[Where, ...]:
         _where(engine, curve, state, p, raw, raw_nulls)
         for curve, p in zip(curves, adjusted, strict=True)
     ]
-    order = np.lexsort((-observed, adjusted))
-    return tuple(found[int(i)] for i in order)
+    by_name: dict[str, Where] = {}
+    for place in np.lexsort((-observed, adjusted)):
+        # A smooth and a local curve of the same regressor: the more significant is shown.
+        by_name.setdefault(found[int(place)].regressor, found[int(place)])
+    return tuple(by_name.values())
 
 
 def _where(

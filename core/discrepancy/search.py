@@ -78,7 +78,7 @@ class Search:
             best = int(own[np.argmax(evidence[own])])
             if not np.any(self.bank.seen[own]):
                 continue
-            value = float(by_name[place])
+            value = float(by_name[place]) + bank.instances[best].effect.log_odds
             found[name] = Scored(value, value - self.doubts.get(name, 0.0), self.slot(best))
         for name, (value, slot) in self.relabels.scores(state).items():
             found[name] = Scored(value, value, slot)
@@ -105,7 +105,8 @@ class Search:
             values.append(float(part.evidence(state.residual, space)))
         if not values:
             return Scored(0.0, 0.0, None)
-        margins = np.array(values) - np.array(self.curve_doubts)
+        usable = np.array([curve.regressor.competes for curve in self.curves])
+        margins = np.where(usable, np.array(values) - np.array(self.curve_doubts), -np.inf)
         best = int(np.argmax(margins))
         return Scored(
             values[best] - _UNKNOWN_COST, float(margins[best]) - _UNKNOWN_COST, None, best

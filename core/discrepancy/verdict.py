@@ -1,13 +1,14 @@
 """One verdict, said in words."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import cast
 
 from core.discrepancy.engine import Engine
-from core.discrepancy.result import UNKNOWN, Gap, NoiseFloor, Smallest, Step
+from core.discrepancy.result import UNKNOWN, Gap, NoiseFloor, Smallest, Step, Where
 from core.errors import Note, Severity
 
-_LARGE = 2.2
+_LARGE = 2.0
 _FAULTS = frozenset(
     (
         "stuck_reading",
@@ -18,6 +19,7 @@ _FAULTS = frozenset(
     )
 )
 _EXCESS_P = 1e-4
+_LEFT_OVER = 0.1
 FEWEST = 3
 """Degrees of freedom below which nothing is said."""
 
@@ -106,10 +108,27 @@ def notes_of(
     return tuple(found)
 
 
+def doubted(
+    steps: tuple[Step, ...], noise: NoiseFloor, left: tuple[Where, ...]
+) -> tuple[Step, ...]:
+    """The steps, the last of them in doubt if structure is left or the drift is too large.
+
+    Two or three effects can imitate a curve that the catalogue does not know; what they leave is
+    the only trace of it.
+    """
+    rest = min((where.p_value for where in left), default=1.0)
+    if not steps or (rest > _LEFT_OVER and not _large(noise.ratios)):
+        return steps
+    last = steps[-1]
+    if UNKNOWN in (last.effect, *last.indistinguishable_from):
+        return steps
+    names = (*last.indistinguishable_from, UNKNOWN)
+    return (*steps[:-1], replace(last, indistinguishable_from=names))
+
+
 def _excess(noise: NoiseFloor, after: Gap) -> bool:
     return bool(_large(noise.ratios)) or (after.p_value < _EXCESS_P and after.gap > _LARGE)
 
 
 def _large(ratios: Mapping[str, float]) -> list[tuple[str, float]]:
-    # What is not stated but only usual cannot exceed what is stated.
-    return [(n, r) for n, r in ratios.items() if r > _LARGE and n in ("white", "setting")]
+    return [(name, ratio) for name, ratio in ratios.items() if ratio > _LARGE]

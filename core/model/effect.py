@@ -114,6 +114,7 @@ class Effect(ABC):
     remedy : what to do about it
     confused_with : identifiers of effects that look alike in some plans
     typical : usual size of its first parameter, by kind of sensor
+    log_odds : what speaks for it before the outputs are looked at, natural logarithm
     """
 
     id: str
@@ -129,6 +130,7 @@ class Effect(ABC):
     remedy: str = ""
     confused_with: tuple[str, ...] = ()
     typical: dict[str, float] = {}  # noqa: RUF012
+    log_odds: float = 0.0
 
     @abstractmethod
     def parameters(self, sensor: Sensor) -> tuple[Parameter, ...]:

@@ -172,9 +172,9 @@ class ShortAccumulation(_RowFault):
         return column(0.01 * (np.roll(u, 1) - u) * self.here(stimulus))
 
     def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
-        """Rows whose own scatter is three times the usual."""
+        """Rows whose own scatter is half as large again as usual."""
         se = stimulus.column("y_se")
-        rows = np.flatnonzero(se > 3.0 * np.median(se))
+        rows = np.flatnonzero(se > 1.5 * np.median(se))
         return tuple(ShortAccumulation(int(row)) for row in rows if row > 0)
 
 
@@ -397,7 +397,8 @@ class StuckReading(_RowFault):
     remedy = "measure the row again"
     confused_with = ("outlier",)
     typical = {"accelerometer": 1000.0, "gyro": 10.0}  # noqa: RUF012
-    shared = False
+    # That two readings are equal by chance to the last bit is less likely than this.
+    log_odds = 10.0
 
     def parameters(self, sensor: Sensor) -> tuple[Parameter, ...]:
         """One: mg or deg/s."""

@@ -3,7 +3,16 @@
 import numpy as np
 
 from core.arrays import FloatArray
-from core.model.catalogue.terms import ALL, column, ideal, own, previous, small_gain, small_unit
+from core.model.catalogue.terms import (
+    ALL,
+    MEMORIES,
+    column,
+    ideal,
+    own,
+    previous,
+    small_gain,
+    small_unit,
+)
 from core.model.catalogue.terms import sign as sign_of
 from core.model.effect import Effect, Kind, Parameter, Sensor
 from core.model.stimulus import Stimulus
@@ -14,7 +23,7 @@ class Hysteresis(Effect):
 
     Parameters
     ----------
-    through_runs : the first row of a run came from the last of the run before
+    memory : which rows come from the row before them, see `terms.previous`
     by_turning : the side is that in which the input moved at the end of the turn, else that of
         the last input
     """
@@ -31,8 +40,8 @@ class Hysteresis(Effect):
     confused_with = ("settling_lag", "bias_asymmetry")
     typical = {"accelerometer": 0.1, "gyro": 0.02}  # noqa: RUF012
 
-    def __init__(self, *, through_runs: bool = True, by_turning: bool = False) -> None:
-        self._through, self._turning = through_runs, by_turning
+    def __init__(self, memory: str = "mounting", *, by_turning: bool = False) -> None:
+        self._memory, self._turning = memory, by_turning
 
     def parameters(self, sensor: Sensor) -> tuple[Parameter, ...]:
         """One: half the width of the loop, mg or deg/s."""
@@ -40,7 +49,7 @@ class Hysteresis(Effect):
 
     def columns(self, stimulus: Stimulus, sensor: Sensor) -> FloatArray:
         """1 after a rise, -1 after a fall, 0 where it is not known."""
-        before = previous(stimulus, through_runs=self._through)
+        before = previous(stimulus, self._memory)
         x = own(stimulus, sensor)
         change = x - x[before]
         if self._turning and "head_deg" in stimulus.columns:
@@ -53,9 +62,7 @@ class Hysteresis(Effect):
         """All ways in which the side can be meant."""
         ways = (False, True) if np.any(stimulus.da_dhead) else (False,)
         return tuple(
-            Hysteresis(through_runs=through, by_turning=turning)
-            for through in (True, False)
-            for turning in ways
+            Hysteresis(memory, by_turning=turning) for memory in MEMORIES for turning in ways
         )
 
 
@@ -64,7 +71,7 @@ class SettlingLag(Effect):
 
     Parameters
     ----------
-    through_runs : the first row of a run came from the last of the run before
+    memory : which rows come from the row before them, see `terms.previous`
     """
 
     id = "settling_lag"
@@ -79,8 +86,8 @@ class SettlingLag(Effect):
     confused_with = ("hysteresis", "short_accumulation")
     typical = {"accelerometer": 0.1, "gyro": 0.1}  # noqa: RUF012
 
-    def __init__(self, *, through_runs: bool = True) -> None:
-        self._through = through_runs
+    def __init__(self, memory: str = "mounting") -> None:
+        self._memory = memory
 
     def parameters(self, sensor: Sensor) -> tuple[Parameter, ...]:
         """One: the missing part, %."""
@@ -89,8 +96,8 @@ class SettlingLag(Effect):
     def columns(self, stimulus: Stimulus, sensor: Sensor) -> FloatArray:
         """The step back to the row before."""
         u = ideal(stimulus, sensor)
-        return column(0.01 * (u[previous(stimulus, through_runs=self._through)] - u))
+        return column(0.01 * (u[previous(stimulus, self._memory)] - u))
 
     def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
-        """With and without memory of the run before."""
-        return (SettlingLag(), SettlingLag(through_runs=False))
+        """With all memories."""
+        return tuple(SettlingLag(memory) for memory in MEMORIES)

@@ -7,7 +7,9 @@ from core.model.catalogue.terms import (
     HEAD,
     STATIC,
     column,
+    indicators,
     levels,
+    numbered,
     per_head_angle,
     setups,
     small_gain,
@@ -25,7 +27,7 @@ class MountingAngle(Effect):
 
     Parameters
     ----------
-    mount : number of the mounting; -1 for all but the first
+    mounts : numbers of the mountings
     by_bolting : count every bolting anew, else the same mount is the same however often
     """
 
@@ -43,26 +45,26 @@ class MountingAngle(Effect):
     confused_with = ("head_ellipticity", "shaft_tilt")
     typical = {"accelerometer": 60.0}  # noqa: RUF012
 
-    def __init__(self, mount: int = 0, *, by_bolting: bool = False) -> None:
-        self._mount, self._anew = mount, by_bolting
+    def __init__(self, *mounts: int, by_bolting: bool = False) -> None:
+        self._mounts, self._anew = mounts or (0,), by_bolting
 
     @property
     def shape(self) -> tuple[tuple[Parameter, float], ...]:
         """Which mounting, from 1."""
-        return ((Parameter("mounting", "", ""), float(self._mount + 1)),)
+        return tuple((Parameter("mounting", "", ""), mount + 1.0) for mount in self._mounts)
 
     def parameters(self, sensor: Sensor) -> tuple[Parameter, ...]:
         """The angle, arcsec."""
-        return (Parameter("mounting_angle", "psi", "arcsec"),)
+        return numbered("mounting_angle", "psi", "arcsec", len(self._mounts))
 
     def columns(self, stimulus: Stimulus, sensor: Sensor) -> FloatArray:
         """The slope in that mounting."""
         slope = RAD_PER_ARCSEC * per_head_angle(stimulus, sensor)
         groups = setups(stimulus) if self._anew else stimulus.column("mount")
-        return column(slope * (groups == self._mount))
+        return slope[:, None] * indicators(groups, self._mounts)
 
     def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
-        """Every mounting."""
+        """Every mounting, and all but the first together."""
         return _mountings(MountingAngle, stimulus)
 
 
@@ -120,7 +122,7 @@ class RemountBias(Effect):
 
     Parameters
     ----------
-    mount : number of the mounting
+    mounts : numbers of the mountings
     by_bolting : count every bolting anew
     """
 
@@ -136,25 +138,25 @@ class RemountBias(Effect):
     confused_with = ("shaft_tilt", "bias_drift", "run_bias", "bias_jump")
     typical = {"accelerometer": 0.5, "gyro": 0.02}  # noqa: RUF012
 
-    def __init__(self, mount: int = 0, *, by_bolting: bool = False) -> None:
-        self._mount, self._anew = mount, by_bolting
+    def __init__(self, *mounts: int, by_bolting: bool = False) -> None:
+        self._mounts, self._anew = mounts or (0,), by_bolting
 
     @property
     def shape(self) -> tuple[tuple[Parameter, float], ...]:
         """Which mounting, from 1."""
-        return ((Parameter("mounting", "", ""), float(self._mount + 1)),)
+        return tuple((Parameter("mounting", "", ""), mount + 1.0) for mount in self._mounts)
 
     def parameters(self, sensor: Sensor) -> tuple[Parameter, ...]:
         """The shift, mg or deg/s."""
-        return (Parameter("remount_bias", "b", small_unit(sensor)),)
+        return numbered("remount_bias", "b", small_unit(sensor), len(self._mounts))
 
     def columns(self, stimulus: Stimulus, sensor: Sensor) -> FloatArray:
         """Ones in that mounting."""
         groups = setups(stimulus) if self._anew else stimulus.column("mount")
-        return column(small_gain(sensor) * (groups == self._mount))
+        return small_gain(sensor) * indicators(groups, self._mounts)
 
     def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
-        """Every mounting."""
+        """Every mounting, and all but the first together."""
         return _mountings(RemountBias, stimulus)
 
 
@@ -166,8 +168,11 @@ def _mountings(
     if mounts < 2:
         return ()
     found: list[Effect] = [make(mount) for mount in range(mounts)]
+    if mounts > 2:
+        found.append(make(*range(1, mounts)))
     if bolted > mounts:
         found += [make(bolting, by_bolting=True) for bolting in range(bolted)]
+        found.append(make(*range(1, bolted), by_bolting=True))
     return tuple(found)
 
 

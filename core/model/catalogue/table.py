@@ -133,7 +133,7 @@ class Wobble(Effect):
         turning = np.abs(turned) > 1e-6
         angle = np.where(turning, turned, 1.0)
         sine = np.where(turning, (1.0 - np.cos(angle)) / angle, 0.0)
-        cosine = np.where(turning, np.sin(angle) / angle, 0.0)
+        cosine = np.where(turning, np.sin(angle) / angle, 1.0)
         return small_gain(sensor) * column(sine, cosine)
 
 

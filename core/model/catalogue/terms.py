@@ -31,8 +31,12 @@ def scaled(stimulus: Stimulus, sensor: Sensor) -> FloatArray:
 
 
 def own(stimulus: Stimulus, sensor: Sensor) -> FloatArray:
-    """The input (n,) along the sensor's own axis, in g or deg/s."""
-    return scaled(stimulus, sensor)[:, sensor.index]
+    """The input (n,) along the axis that the sensor really has, in g or deg/s.
+
+    A sensor that stands askew by 10 mrad turns its sign elsewhere than the case axis does.
+    """
+    response = sensor.sensitivity
+    return scaled(stimulus, sensor) @ (response / response[sensor.index])
 
 
 def gain(sensor: Sensor) -> float:
@@ -83,17 +87,26 @@ def setups(stimulus: Stimulus) -> IntArray:
     return np.cumsum(np.diff(mount, prepend=mount[:1]) != 0).astype(np.int64)
 
 
-def previous(stimulus: Stimulus, *, through_runs: bool) -> IntArray:
-    """Row (n,) before each row; its own number where nothing is known of what came before."""
+def previous(stimulus: Stimulus, memory: str) -> IntArray:
+    """Row (n,) before each row; its own number where nothing is known of what came before.
+
+    Parameters
+    ----------
+    memory : ``"all"`` rows in the order of measuring, those of one ``"mounting"`` without a break,
+        or of one ``"run"``
+    """
     n = len(stimulus)
     before = np.maximum(np.arange(n) - 1, 0)
-    if "mount" in stimulus.columns:
+    if memory != "all" and "mount" in stimulus.columns:
         place = setups(stimulus)
         before = np.where(place[before] == place, before, np.arange(n))
-    if not through_runs and "run" in stimulus.columns:
+    if memory == "run" and "run" in stimulus.columns:
         run = stimulus.columns["run"]
         before = np.where(run[before] == run, before, np.arange(n))
     return before.astype(np.int64)
+
+
+MEMORIES = ("all", "mounting", "run")
 
 
 def sign(values: FloatArray) -> FloatArray:

@@ -10,7 +10,9 @@ from core.model.catalogue.terms import (
     gain,
     grid,
     hours,
+    indicators,
     levels,
+    numbered,
     own,
     small_gain,
     small_unit,
@@ -192,7 +194,7 @@ class RunBias(Effect):
 
     Parameters
     ----------
-    run : number of the run
+    runs : numbers of the runs
     """
 
     id = "run_bias"
@@ -207,26 +209,27 @@ class RunBias(Effect):
     confused_with = ("bias_drift", "bias_jump", "remount_bias")
     typical = {"accelerometer": 0.5, "gyro": 0.05}  # noqa: RUF012
 
-    def __init__(self, run: float = 0.0) -> None:
-        self._run = run
+    def __init__(self, *runs: float) -> None:
+        self._runs = runs or (0.0,)
 
     @property
     def shape(self) -> tuple[tuple[Parameter, float], ...]:
         """Which run."""
-        return ((Parameter("run", "", ""), self._run),)
+        return tuple((Parameter("run", "", ""), run) for run in self._runs)
 
     def parameters(self, sensor: Sensor) -> tuple[Parameter, ...]:
-        """One: mg or deg/s."""
-        return (Parameter("run_bias", "b", small_unit(sensor)),)
+        """One a run: mg or deg/s."""
+        return numbered("run_bias", "b", small_unit(sensor), len(self._runs))
 
     def columns(self, stimulus: Stimulus, sensor: Sensor) -> FloatArray:
         """Ones in that run."""
-        return column(small_gain(sensor) * (stimulus.column("run") == self._run))
+        return small_gain(sensor) * indicators(stimulus.column("run"), self._runs)
 
     def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
-        """Every run, if there are several."""
+        """Every run, if there are several, and all but the first together."""
         runs = levels(stimulus.column("run"))
-        return tuple(RunBias(run) for run in runs) if len(runs) > 1 else ()
+        together = [RunBias(*runs[1:])] if len(runs) > 2 else []
+        return (*(RunBias(run) for run in runs), *together) if len(runs) > 1 else ()
 
 
 class RunScaleFactor(Effect):
@@ -234,7 +237,7 @@ class RunScaleFactor(Effect):
 
     Parameters
     ----------
-    run : number of the run
+    runs : numbers of the runs
     """
 
     id = "run_scale_factor"
@@ -250,27 +253,28 @@ class RunScaleFactor(Effect):
     confused_with = ("scale_factor_temperature",)
     typical = {"gyro": 300.0}  # noqa: RUF012
 
-    def __init__(self, run: float = 0.0) -> None:
-        self._run = run
+    def __init__(self, *runs: float) -> None:
+        self._runs = runs or (0.0,)
 
     @property
     def shape(self) -> tuple[tuple[Parameter, float], ...]:
         """Which run."""
-        return ((Parameter("run", "", ""), self._run),)
+        return tuple((Parameter("run", "", ""), run) for run in self._runs)
 
     def parameters(self, sensor: Sensor) -> tuple[Parameter, ...]:
-        """One: ppm."""
-        return (Parameter("run_scale_factor", "s", "ppm"),)
+        """One a run: ppm."""
+        return numbered("run_scale_factor", "s", "ppm", len(self._runs))
 
     def columns(self, stimulus: Stimulus, sensor: Sensor) -> FloatArray:
         """The input in that run."""
-        here = stimulus.column("run") == self._run
-        return column(1e-6 * gain(sensor) * own(stimulus, sensor) * here)
+        here = indicators(stimulus.column("run"), self._runs)
+        return 1e-6 * gain(sensor) * own(stimulus, sensor)[:, None] * here
 
     def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
-        """Every run, if there are several."""
+        """Every run, if there are several, and all but the first together."""
         runs = levels(stimulus.column("run"))
-        return tuple(RunScaleFactor(run) for run in runs) if len(runs) > 1 else ()
+        together = [RunScaleFactor(*runs[1:])] if len(runs) > 2 else []
+        return (*(RunScaleFactor(run) for run in runs), *together) if len(runs) > 1 else ()
 
 
 class Pickup(Effect):
