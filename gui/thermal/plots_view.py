@@ -2,7 +2,15 @@
 
 from PySide6.QtCore import QEvent, QPoint, QRect, QSize, Qt, Signal
 from PySide6.QtGui import QPainter
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QScrollArea,
+    QSizePolicy,
+    QVBoxLayout,
+    QWidget,
+)
 
 from gui.thermal.state import PlotState, ThermalState
 from gui.widgets.fields import ChoiceField
@@ -27,10 +35,21 @@ class PlotsView(QWidget):
         head.setSpacing(unit)
         head.addWidget(self.choice)
         head.addWidget(self.legend, 1)
-        self._column = QVBoxLayout(self)
-        self._column.setContentsMargins(unit // 2, unit // 2, 0, 0)
+        # An assembly has nine sensors: their plots are looked through, not squeezed.
+        rows = QWidget()
+        self._column = QVBoxLayout(rows)
+        self._column.setContentsMargins(0, 0, 0, 0)
         self._column.setSpacing(unit // 4)
-        self._column.addLayout(head)
+        scroll = QScrollArea()
+        scroll.setWidget(rows)
+        scroll.setWidgetResizable(True)
+        scroll.setFrameShape(QFrame.Shape.NoFrame)
+        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(unit // 2, unit // 2, 0, 0)
+        column.setSpacing(unit // 4)
+        column.addLayout(head)
+        column.addWidget(scroll, 1)
         self.choice.activated.connect(self.shown)
         self._retranslate()
 
@@ -67,6 +86,7 @@ class PlotsView(QWidget):
         title.setTextFormat(Qt.TextFormat.PlainText)
         title.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         title.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        plot.setMinimumHeight(9 * self.fontMetrics().height())
         # One width for all, so that the temperatures stand above each other.
         plot.getAxis("left").setWidth(round(4.5 * self.fontMetrics().height()))
         self._column.addWidget(title)
