@@ -43,7 +43,8 @@ class PlanView(QWidget):
             font.setBold(True)
             head.setFont(font)
             head.setContentsMargins(unit // 3, unit // 3, 0, unit // 4)
-        self.proposals.setWordWrap(True)
+        self.proposals.setTextElideMode(Qt.TextElideMode.ElideRight)
+        self.proposals.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         split = QSplitter(Qt.Orientation.Vertical)
         for head, part in zip(self._heads, (self.proposals, self._below(unit)), strict=True):
             pane = QWidget()

@@ -161,15 +161,10 @@ class AdvisorPresenter(QObject):
                 words = QCoreApplication.translate("Advisor", "The plan is not saved")
                 self._messages.tell_error(SOURCE, words, error)
                 return
-            self._messages.show(
-                SOURCE,
-                BannerState(
-                    Severity.INFO,
-                    QCoreApplication.translate("Advisor", "The plan is saved"),
-                    str(path),
-                ),
-            )
+            words = QCoreApplication.translate("Advisor", "The plan is saved: {path}")
+            self._messages.log(Severity.INFO, words.format(path=path), SOURCE)
             self._plans = {**self._plans, plan.id: plan}
+        self._messages.clear(SOURCE)
         if not self._open_plan(plan):
             self._messages.show(
                 SOURCE,

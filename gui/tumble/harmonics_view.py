@@ -77,7 +77,7 @@ class HarmonicsView(QWidget):
         positive = [size for size in sizes if size > 0] or [1.0]
         high = math.ceil(math.log10(max(positive)) + 0.05)
         edges = [bar.threshold for bar in self._state.bars if bar.threshold > 0] or positive
-        low = math.floor(math.log10(min(edges)) - 0.3)
+        low = math.floor(math.log10(min(edges)) - 0.7)
         return low, max(high, low + 1)
 
     def _ground(self, painter: QPainter, plot: QRectF, low: int, high: int) -> None:

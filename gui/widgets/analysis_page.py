@@ -55,7 +55,7 @@ class AnalysisPage(QWidget):
         self,
         content: QWidget,
         filters: Sequence[str],
-        widths: tuple[int, int] = (36, 31),
+        widths: tuple[int, int] = (33, 34),
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)

@@ -176,6 +176,7 @@ def test_a_changed_plan_is_saved_under_a_name_of_its_own(
     done(page, qtbot)
     page.widget.action_bar.button("open").click()
     (plan,) = opened
+    assert tab.messages.current is None
     assert plan.id == "accelerometer_8_own1"
     assert load_plan(tab.root / "plans" / "accelerometer_8_own1.toml") == plan
     assert [step.number for step in plan.steps] == [1, 2, 4, 5, 6, 7, 8, 9]
