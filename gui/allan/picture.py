@@ -8,6 +8,7 @@ from core.allan.coefficients import NoiseCoefficients
 from core.allan.curve import AllanCurve
 from core.allan.model import TERMS
 from core.records.noise_study import NoiseStudy
+from core.records.noise_tables import published_row
 from gui.allan.library import Entry
 from gui.allan.live import LiveRecord
 from gui.allan.state import CurveState, LineState, PictureState
@@ -76,6 +77,9 @@ def _lines(found: NoiseCoefficients) -> Iterator[LineState]:
     floor = _BELOW * float(found.curve.deviation.min())
     yield LineState("", taus, np.sqrt(found.model.variance(taus)), whole=True)
     for name, term in TERMS.items():
+        row = published_row(found, name)
+        if row is not None and row.upper_limit:
+            continue
         values = np.sqrt(found.model.part(name, taus))
         inside = values > floor
         if np.count_nonzero(inside) > 1:
