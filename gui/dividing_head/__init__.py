@@ -10,7 +10,6 @@ settings          what the operator sets beside the common settings
 settings_view     the form: base plate, tilter, free angles
 results           Load Data, Process Data
 processing        their work: a calibration with its page, in a worker
-nominal           what earlier calibrations tell of a device
 formats           the files of the export
 tables            a calibration as tables: Tables 1.3, 1.4, 2.3, 2.7
 demo              its part of the demonstration

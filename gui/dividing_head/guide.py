@@ -10,11 +10,11 @@ from core.records.session.start import SessionStart
 from core.samples.block import Channel
 from drivers.profile import Profile
 from gui.dividing_head.device import CLBACC, EMPTY, head_device
-from gui.dividing_head.nominal import nominal_of
 from gui.dividing_head.settings import HeadSettings, settings_of, settings_of_session
 from gui.measuring.device import MeasuredDevice
 from gui.measuring.guide import Guide
 from gui.measuring.head_words import HeadWords
+from gui.measuring.nominal import nominal_of
 from gui.measuring.settings import MeasuringSettings
 from gui.measuring.walk import Course
 from gui.settings import Section
@@ -93,7 +93,7 @@ class HeadGuide(Guide[HeadSettings]):
         return settings_of_session(start, screen)
 
     def nominal(self, root: Path, name: str) -> Nominal | None:
-        return nominal_of(root, name)
+        return nominal_of(root, name, self.sensor)
 
     def plans_of(self, device: MeasuredDevice) -> tuple[str, ...]:
         return _PLANS_OF[device.layout]

@@ -16,7 +16,6 @@ from core.records.calibration_json import write_calibration
 from core.records.session.record import SessionRecord
 from core.samples.run import Conditions, Run
 from core.units import MILLI
-from gui.dividing_head.nominal import FILE
 from gui.dividing_head.settings import HeadSettings
 from gui.dividing_head.tables import (
     accuracy_table,
@@ -28,6 +27,7 @@ from gui.dividing_head.tables import (
     residuals,
 )
 from gui.measuring.loading import Choice, load
+from gui.measuring.nominal import FILE
 from gui.measuring.page import Part, ResultsPage
 from gui.widgets.states import MatrixState, TableState
 

@@ -12,6 +12,7 @@ words             `Words`: how its steps are called
 head_words        those of every test on the dividing head
 settings          what the operator sets in every test
 device            what a tab needs to know of a device: its layout and its sensors
+nominal           what earlier calibrations tell of a device
 bench             the device on the rig: is it there, what does it send
 sitting           the session: plan, settings, walk, folder
 walk              the walk through the plan, fed with samples; `Course`

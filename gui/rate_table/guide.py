@@ -1,6 +1,7 @@
 """What is particular to gyros on the rate table, and at rest on the dividing head."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 
@@ -18,6 +19,7 @@ from drivers.profile import Profile
 from gui.measuring.device import MeasuredDevice
 from gui.measuring.guide import Guide
 from gui.measuring.head_words import HeadWords
+from gui.measuring.nominal import nominal_of
 from gui.measuring.walk import Course
 from gui.measuring.words import Words
 from gui.rate_table.device import CVGCOM, EMPTY, gyro_device
@@ -82,11 +84,12 @@ class RateGuide(Guide[RateSettings]):
         rate: float,
         nominal: Nominal | None,
     ) -> Course:
+        known = nominal if nominal is not None and len(nominal.bias) == len(device.axes) else None
         course = Course(
             steps=plan.steps,
             input_of=rates_of,
             label_of=self.words(plan).label,
-            expectation=RateExpectation(_largest(plan), device.axes, nominal),
+            expectation=RateExpectation(_largest(plan), device.axes, known),
             checked=device.checked,
             accumulation_s=lambda step: settings.seconds_at(step.rate_dps),
             settle_s=settings.settle_s,
@@ -111,6 +114,9 @@ class RateGuide(Guide[RateSettings]):
 
     def settings_of_session(self, start: SessionStart, screen: RateSettings) -> RateSettings:
         return settings_of_session(start, screen)
+
+    def nominal(self, root: Path, name: str) -> Nominal | None:
+        return nominal_of(root, name, self.sensor)
 
     def plans_of(self, device: MeasuredDevice) -> tuple[str, ...]:
         if device.layout != CVGCOM:

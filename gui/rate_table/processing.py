@@ -19,6 +19,7 @@ from core.records.session.record import SessionRecord
 from core.samples.run import Conditions, Run
 from core.units import DPH_PER_DPS
 from gui.measuring.loading import Choice, load
+from gui.measuring.nominal import FILE
 from gui.measuring.page import Part, ResultsPage
 from gui.rate_table.guide import ON_HEAD, ON_TABLE
 from gui.rate_table.settings import RateSettings
@@ -36,8 +37,6 @@ from gui.rate_table.tables import (
 )
 
 _NEGATIVE = "negative_scale_factor"
-FILE = "calibration.cal.json"
-"""Every processed session leaves its calibration under this name in its folder."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

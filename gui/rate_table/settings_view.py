@@ -134,7 +134,7 @@ class RateForm(SettingsForm[RateSettings]):
         self._whole.setToolTip(
             self.tr("Each accumulation is made as long as whole turns nearest to the time above")
         )
-        self._full_scale.setSpecialValueText(self.tr("largest rate"))
+        self._full_scale.setSpecialValueText(self.tr("largest"))
         self._latitude.setSpecialValueText(self.tr("not stated"))
         self._azimuth_known.setText(self.tr("Azimuth, deg"))
         self._azimuth.setAccessibleName(self.tr("Azimuth of the shaft, deg"))

@@ -8,8 +8,8 @@ from pytestqt.qtbot import QtBot
 from core.records.calibration_json import read_calibration
 from core.records.open import read_any
 from gui.dividing_head.formats import formats
-from gui.dividing_head.nominal import nominal_of
 from gui.measuring.exporting import Exporting
+from gui.measuring.nominal import nominal_of
 from tests.gui.head_desk import Desk
 
 
@@ -81,12 +81,13 @@ def test_processing_keeps_the_calibration_for_the_next_session(processed: Desk):
     assert state is not None
     assert len(state.matrices) == 2
     assert state.calibration.provenance.records
-    nominal = nominal_of(processed.root, "PW09")
+    nominal = nominal_of(processed.root, "PW09", "accelerometer")
     assert nominal is not None
     triad = state.calibration.triad()
     assert abs(nominal.k - triad.k).max() < 1e-6
-    assert nominal_of(processed.root, "PW10") is None
-    assert nominal_of(processed.root, "No Name") is None
+    assert nominal_of(processed.root, "PW10", "accelerometer") is None
+    assert nominal_of(processed.root, "No Name", "accelerometer") is None
+    assert nominal_of(processed.root, "PW09", "gyro") is None
 
 
 def test_closing_the_page_forgets_the_results(processed: Desk):

@@ -223,3 +223,17 @@ def test_settings_are_kept_with_the_session_and_remembered(rate_desk: RateDesk):
 
 def test_a_device_without_gyros_is_told(make_rate_desk: Callable[..., RateDesk]):
     assert make_rate_desk("adc_board9").presenter.state.stage.headline == "No gyros"
+
+
+def test_an_earlier_calibration_tells_the_wrong_way_from_the_first_rate(
+    make_rate_desk: Callable[..., RateDesk], qtbot: QtBot
+):
+    first = make_rate_desk()
+    for _ in RATES:
+        first.measure()
+    processed(first, qtbot)
+    first.sitting.close()
+    again = make_rate_desk()
+    again.measure(replace(again.step, rate_dps=100.0))
+    assert again.rates == []
+    assert "turned the wrong way" in again.what

@@ -15,8 +15,8 @@ FILE = "calibration.cal.json"
 """Every processed session leaves its calibration under this name in its folder."""
 
 
-def nominal_of(root: Path, device: str) -> Nominal | None:
-    """What the newest calibration of a device under `root` says; None if there is none.
+def nominal_of(root: Path, device: str, sensor: str) -> Nominal | None:
+    """What the newest calibration of a device's sensors under `root` says; None if there is none.
 
     Folders begin with the date, so that the last by name is the newest. A file that cannot be read
     is passed over: this knowledge is welcome, not needed.
@@ -28,7 +28,8 @@ def nominal_of(root: Path, device: str) -> Nominal | None:
             calibration = read_calibration(path)
         except FormatError:
             continue
-        if calibration.provenance.device == device and calibration.sensor == "accelerometer":
+        of_device = calibration.provenance.device == device and calibration.sensor == sensor
+        if of_device and all("scale_factor" in fit.names for fit in calibration.fits):
             return _nominal(calibration, path)
     return None
 
