@@ -35,6 +35,8 @@ class MeasuringPresenter(Generic[S], QObject):
 
     changed = Signal(object)
     """A new `MeasuringState`."""
+    hands_free_on = Signal()
+    """Another tab that is hands-free has to let go."""
 
     def __init__(
         self,
@@ -107,6 +109,8 @@ class MeasuringPresenter(Generic[S], QObject):
 
     def set_hands_free(self, on: bool) -> None:
         """Let the program accumulate by itself, or no longer."""
+        if on:
+            self.hands_free_on.emit()
         self._sitting.settings = replace(self._sitting.settings, hands_free=on)
         self._sitting.walk.set_hands_free(on)
         self._tell()

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, Generic
+from weakref import WeakSet
 
 from PySide6.QtCore import QObject
 
@@ -25,6 +26,9 @@ from gui.services import Services
 
 OWN_PLANS = "plans"
 """Folder of the user's own plans, under that of all sessions."""
+
+_TABS: "WeakSet[MeasuringTab[Any]]" = WeakSet()
+"""All measuring tabs that there are."""
 
 
 class MeasuringTab(Generic[S], QObject):
@@ -71,6 +75,8 @@ class MeasuringTab(Generic[S], QObject):
         self._resuming = Resuming(guide.key, guide.tests, nouns, messages, self)
         self._resuming.chosen.connect(self._on_resume)
         self.taking.cue.connect(self._on_cue)
+        self.presenter.hands_free_on.connect(self._on_hands_free)
+        _TABS.add(self)
         self.view = MeasuringView(self.presenter, form, page)
         self.view.file_chosen.connect(self._on_file)
         results.changed.connect(self._on_results)
@@ -142,6 +148,17 @@ class MeasuringTab(Generic[S], QObject):
         self._services.play(name)
         if self.sitting.keeper.session is not None:
             self._resuming.withdraw()
+
+    def _on_hands_free(self) -> None:
+        """Two tabs that both accumulate by themselves would take each other's positions."""
+        for tab in list(_TABS):
+            if tab is not self:
+                tab.let_go(self._services)
+
+    def let_go(self, services: Services) -> None:
+        """Another tab of the window with these services measures hands-free now."""
+        if services is self._services and self.sitting.settings.hands_free:
+            self.presenter.set_hands_free(False)
 
     def _on_unfinished(self, found: object) -> None:
         if not isinstance(found, tuple):

@@ -141,3 +141,15 @@ def test_switching_to_the_tab_is_quick(window: Driver, qtbot: QtBot):
             qtbot.wait(1)
             took.append(time.thread_time() - begin)
     assert sorted(took)[len(took) // 2] < 0.05
+
+
+def test_only_one_tab_measures_hands_free(window: Driver, tmp_path: Path):
+    tab = rate_tab(window)
+    window.app.open_simulated(f"sim://pointer?speed=20&name={tmp_path.name}")
+    window.until(lambda: tab.bench.linked and window.tab.bench.linked)
+    window.tab.presenter.set_hands_free(True)
+    assert window.tab.sitting.settings.hands_free
+    tab.presenter.set_hands_free(True)
+    assert tab.sitting.settings.hands_free
+    assert not window.tab.sitting.settings.hands_free
+    assert not window.tab.presenter.state.actions.hands_free
