@@ -41,10 +41,10 @@ class AccuracyWords(HeadWords):
         return say("Turn to {dial}").format(dial=angle_words(step.head_deg))
 
     def mounting(self, step: Step, last_mount: str) -> str:
-        reached = say("That is {kind} {angle}.").format(
-            kind=self._kind.lower(), angle=angle_words(self._reached(step))
-        )
-        return f"{reached} {super().mounting(step, last_mount)}"
+        reached = f"{self._kind} {angle_words(self._reached(step))}. "
+        # The picture shows the mount at every step; it is worth words where it changes.
+        changes = "" if last_mount == step.mount else super().mounting(step, last_mount)
+        return f"{reached}{changes}"
 
     def label(self, step: Step) -> str:
         return say("{kind} {angle} ({dial}, {place})").format(

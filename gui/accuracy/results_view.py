@@ -55,7 +55,7 @@ class AccuracyResultsView(ResultsView):
         """The graph takes its share of the page; the tables below it are scrolled."""
         super().resizeEvent(event)
         unit = self.fontMetrics().height()
-        self.graph.setMinimumHeight(min(max(11 * unit, round(0.42 * self.height())), 24 * unit))
+        self.graph.setFixedHeight(min(max(11 * unit, round(0.42 * self.height())), 26 * unit))
 
     def render(self, state: ResultsPage | None) -> None:
         """Show a state; tables that stay as they are keep their selection."""

@@ -56,6 +56,8 @@ class ComparisonSide(QWidget):
         buttons.addWidget(self.remove)
         gravity.addWidget(self._g_label, 1)
         gravity.addWidget(self._g)
+        for button in (self.add, self.remove):
+            button.setMinimumWidth(0)
         column = QVBoxLayout(self)
         column.setSpacing(unit // 2)
         column.addWidget(self._hint)
@@ -118,5 +120,6 @@ class ComparisonSide(QWidget):
         self.list.setAccessibleName(self.tr("Gyros that are compared"))
         self.add.setText(self.tr("Add files"))
         self.remove.setText(self.tr("Remove"))
-        self._g_label.setText(self.tr("Local g, m/s², where a file states none"))
+        self._g_label.setText(self.tr("Local g, m/s²"))
         self._g.setAccessibleName(self._g_label.text())
+        self._g.setToolTip(self.tr("Taken where a file states none"))
