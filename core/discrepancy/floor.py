@@ -7,7 +7,7 @@ import numpy as np
 from core.arrays import FloatArray
 from core.discrepancy.components import Component, cells, components_of, times
 from core.discrepancy.problem import Problem
-from core.discrepancy.reml import Sizes, find_sizes
+from core.discrepancy.reml import Sizes, find_sizes, stated_sizes
 from core.discrepancy.result import NoiseFloor
 from core.discrepancy.settings import Settings
 from core.discrepancy.slots import Slot
@@ -40,6 +40,13 @@ class Floor:
     covariance: FloatArray
     prior: float
     source: str
+
+    @classmethod
+    def stated(cls, problem: Problem, settings: Settings) -> "Floor":
+        """The noise as it is stated."""
+        parts = components_of(problem, settings)
+        sizes = stated_sizes(parts)
+        return cls(parts, sizes, sizes.total(parts), _STATED, "y_se")
 
     @classmethod
     def of(cls, problem: Problem, settings: Settings, slots: tuple[Slot, ...]) -> "Floor":

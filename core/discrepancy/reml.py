@@ -55,6 +55,11 @@ def prior_of(parts: tuple[Component, ...]) -> FloatArray:
     return together * np.outer(spread, spread)
 
 
+def stated_sizes(parts: tuple[Component, ...]) -> Sizes:
+    """The sizes before anything is measured."""
+    return Sizes(np.ones(len(parts)), prior_of(parts), 0)
+
+
 def find_sizes(parts: tuple[Component, ...], y: FloatArray, nuisance: FloatArray) -> Sizes:
     """Find the sizes.
 
@@ -64,12 +69,10 @@ def find_sizes(parts: tuple[Component, ...], y: FloatArray, nuisance: FloatArray
     y : (n,) outputs
     nuisance : (n, q) columns whose span is left out
     """
-    prior = prior_of(parts)
-    precision = np.linalg.inv(prior)
     contrasts = _complement(nuisance)
-    stated = Sizes(np.ones(len(parts)), prior, contrasts.shape[1])
     if contrasts.shape[1] < _FEWEST:
-        return stated
+        return stated_sizes(parts)
+    precision = np.linalg.inv(prior_of(parts))
     u = contrasts.T @ _winsorised(contrasts @ (contrasts.T @ y))
     matrices = [contrasts.T @ part.matrix @ contrasts for part in parts]
     log = np.zeros(len(parts))

@@ -18,6 +18,7 @@ _WIDTH, _FIRST = 5, 8
 _GROSS, _AHEAD = 60.0, 30.0
 _UNKNOWN_COST = 0.5
 _ROUNDS = 3
+_FINEST = 0.02
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -78,7 +79,9 @@ class Search:
             best = int(own[np.argmax(evidence[own])])
             if not np.any(self.bank.seen[own]):
                 continue
-            value = float(by_name[place]) + bank.instances[best].effect.log_odds
+            value = float(by_name[place])
+            if value > 0.0:
+                value += bank.instances[best].effect.log_odds
             found[name] = Scored(value, value - self.doubts.get(name, 0.0), self.slot(best))
         for name, (value, slot) in self.relabels.scores(state).items():
             found[name] = Scored(value, value, slot)
@@ -124,13 +127,14 @@ class Search:
         State, Scored or None
             The set, and unknown structure if it ends with that.
         """
-        start = self._gross(self.state(forced))
+        start = self.gross(self.state(forced))
         best = self._beam(start)
         best = self._refined(best, len(forced))
         score = self.unknown(best)
         return best, score if score.margin > self.threshold else None
 
-    def _gross(self, state: State) -> State:
+    def gross(self, state: State) -> State:
+        """A state with all that stands out by far."""
         while len(state.slots) < self.most:
             ranked = sorted(self.scores(state).values(), key=lambda s: -s.evidence)
             if len(ranked) < 2 or ranked[0].evidence < _GROSS or ranked[0].slot is None:
@@ -180,16 +184,19 @@ class Search:
 
     def polished(self, slot: Slot, others: State) -> Slot:
         """The slot with its shape refined, given what else is in the model."""
-        best, gain = slot, self._gain(slot, others)
-        for _ in range(12):
+        best, gain, fraction = slot, self._gain(slot, others), 1.0
+        while fraction > _FINEST:
             trials = [
-                self.remade(slot, Instance(e, slot.instance.channel))
-                for e in best.instance.effect.near()
+                self.remade(slot, Instance(effect, slot.instance.channel))
+                for effect in best.instance.effect.near(fraction)
             ]
-            gains = [self._gain(trial, others) for trial in trials]
-            if not gains or max(gains) <= gain:
+            if not trials:
                 break
-            best, gain = trials[int(np.argmax(gains))], max(gains)
+            gains = [self._gain(trial, others) for trial in trials]
+            if max(gains) > gain:
+                best, gain = trials[int(np.argmax(gains))], max(gains)
+            else:
+                fraction /= 2.0
         return best
 
     def remade(self, slot: Slot, instance: Instance) -> Slot:

@@ -149,8 +149,8 @@ class Effect(ABC):
         """The places and shapes that these rows could show; this one alone where it has none."""
         return (self,)
 
-    def near(self) -> tuple["Effect", ...]:
-        """Instances whose shape is a little smaller and larger, to refine a grid."""
+    def near(self, fraction: float = 1.0) -> tuple["Effect", ...]:
+        """Instances whose shape is so much of a grid step smaller and larger, to refine a grid."""
         return ()
 
     def relabel(self, stimulus: Stimulus, y: FloatArray) -> tuple[Stimulus, FloatArray]:

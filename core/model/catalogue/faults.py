@@ -14,6 +14,7 @@ from core.model.catalogue.terms import (
     ideal,
     levels,
     per_head_angle,
+    setups,
     small_gain,
     small_unit,
 )
@@ -247,7 +248,9 @@ class MountReversed(_Relabelling):
 
     Parameters
     ----------
-    mount : number of the mounting
+    counted : how `number` counts the mountings: ``"mount"`` by what is written, ``"bolting"`` in
+        the order of measuring, ``"place"`` in the order within each run
+    number : of the mounting
     """
 
     id = "mount_reversed"
@@ -260,13 +263,13 @@ class MountReversed(_Relabelling):
     remedy = "correct the mount, or mount it as planned and repeat"
     confused_with = ("mounting_angle",)
 
-    def __init__(self, mount: int = 0) -> None:
-        self._mount = mount
+    def __init__(self, counted: str = "mount", number: int = 0) -> None:
+        self._counted, self._number = counted, number
 
     @property
     def shape(self) -> tuple[tuple[Parameter, float], ...]:
         """Which mounting, from 1."""
-        return ((Parameter("mounting", "", ""), float(self._mount + 1)),)
+        return ((Parameter(self._counted, "", ""), self._number + 1.0),)
 
     def relabel(self, stimulus: Stimulus, y: FloatArray) -> tuple[Stimulus, FloatArray]:
         """Turn the unit end for end: what lies level across the shaft changes its sign.
@@ -274,7 +277,7 @@ class MountReversed(_Relabelling):
         At head angle zero the unit stands as before, so the plane of rotation is reflected in
         the direction that points up there.
         """
-        here = stimulus.column("mount") == self._mount
+        here = _counted(stimulus, self._counted) == self._number
         first = int(np.flatnonzero(here)[0])
         head = RAD_PER_DEG * stimulus.column("head_deg")
         up = (
@@ -289,8 +292,26 @@ class MountReversed(_Relabelling):
 
     def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
         """Every mounting, if there are several; all reversed is only another name of the axes."""
-        mounts = levels(stimulus.column("mount"))
-        return tuple(MountReversed(int(m)) for m in mounts) if len(mounts) > 1 else ()
+        found: dict[bytes, Effect] = {}
+        for counted in ("mount", "place", "bolting"):
+            groups = _counted(stimulus, counted)
+            for number in levels(groups):
+                here = groups == number
+                if not here.all():
+                    found.setdefault(here.tobytes(), MountReversed(counted, int(number)))
+        return tuple(found.values())
+
+
+def _counted(stimulus: Stimulus, how: str) -> FloatArray:
+    """Number (n,) of the mounting of each row."""
+    if how == "mount":
+        return stimulus.column("mount")
+    bolting = setups(stimulus).astype(np.float64)
+    if how == "bolting":
+        return bolting
+    run = stimulus.column("run")
+    first = {one: float(bolting[run == one].min()) for one in levels(run)}
+    return bolting - np.array([first[float(one)] for one in run])
 
 
 class RateSignReversed(_Relabelling):

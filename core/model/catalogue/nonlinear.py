@@ -310,9 +310,10 @@ class Saturation(Effect):
             ]
         return tuple(found)
 
-    def near(self) -> tuple[Effect, ...]:
+    def near(self, fraction: float = 1.0) -> tuple[Effect, ...]:
         """A little lower and higher."""
-        return tuple(
-            Saturation(self._level + sign * self._step, self._side, self._step / 2.0)
-            for sign in (-1.0, 1.0)
+        step = fraction * self._step
+        return (
+            Saturation(self._level - step, self._side, self._step),
+            Saturation(self._level + step, self._side, self._step),
         )

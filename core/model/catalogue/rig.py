@@ -257,9 +257,10 @@ class HeadPeriodicError(HeadHarmonic):
         head = RAD_PER_DEG * stimulus.column("head_deg")
         seen: set[bytes] = set()
         found: list[Effect] = []
-        for order in _WORM:
+        for order in (0, 1, 2, *_WORM):
             key = np.round(np.cos(order * head), 6) + 0.0
-            if np.ptp(key) > 0.0 and key.tobytes() not in seen:
+            # On equal steps a fast error folds down; to eccentricity and ellipticity at the latest.
+            if order > 2 and key.tobytes() not in seen:
                 found.append(HeadPeriodicError(order))
             seen.add(key.tobytes())
         return tuple(found)

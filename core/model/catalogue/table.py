@@ -56,9 +56,10 @@ class TableSlip(Effect):
         middle = [0.5 * (a + b) for a, b in itertools.pairwise(sizes)]
         return tuple(TableSlip(rate) for rate in sorted({*sizes[1:-1], *middle}))
 
-    def near(self) -> tuple[Effect, ...]:
+    def near(self, fraction: float = 1.0) -> tuple[Effect, ...]:
         """A little lower and higher."""
-        return (TableSlip(self._rate * 0.97), TableSlip(self._rate * 1.03))
+        step = 0.04 * fraction * self._rate
+        return (TableSlip(self._rate - step), TableSlip(self._rate + step))
 
 
 class WrongRate(Effect):

@@ -143,9 +143,9 @@ class WarmUp(Effect):
             return ()
         return tuple(WarmUp(tau) for tau in grid(2.0 * step, max(0.6 * span, 2.1 * step), 9))
 
-    def near(self) -> tuple[Effect, ...]:
+    def near(self, fraction: float = 1.0) -> tuple[Effect, ...]:
         """A little faster and slower."""
-        return (WarmUp(self._tau / 1.12), WarmUp(self._tau * 1.12))
+        return (WarmUp(self._tau / 1.2**fraction), WarmUp(self._tau * 1.2**fraction))
 
 
 class BiasJump(Effect):
@@ -324,6 +324,7 @@ class Pickup(Effect):
         step = max(0.5, (fastest - 3.0) / 120.0)
         return tuple(Pickup(float(cycles)) for cycles in np.arange(3.0, fastest - 0.25, step))
 
-    def near(self) -> tuple[Effect, ...]:
+    def near(self, fraction: float = 1.0) -> tuple[Effect, ...]:
         """A little slower and faster."""
-        return (Pickup(self._cycles - 0.07), Pickup(self._cycles + 0.07))
+        step = 0.2 * fraction
+        return (Pickup(self._cycles - step), Pickup(self._cycles + step))
