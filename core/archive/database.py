@@ -19,6 +19,12 @@ from core.archive.tables import META, MIGRATIONS, TABLES, VERSION
 from core.errors import Note, Severity, StorageError
 
 _WAIT_S = 15.0
+_PRAGMAS = (
+    "journal_mode = WAL",
+    "synchronous = NORMAL",
+    "foreign_keys = ON",
+    "cache_size = -65536",  # 64 MB: a search walks through all entries
+)
 _LOCK = 0x0CA1_A8C4
 """Number of the lock under which PostgreSQL's tables are made."""
 _SIDE = ("", "-wal", "-shm")
@@ -146,7 +152,7 @@ def _on_connect(connection: Any, _: object) -> None:
     """A file that two programs may use at once, and that survives their end at any moment."""
     connection.isolation_level = None  # we say BEGIN ourselves
     cursor = connection.cursor()
-    for words in ("journal_mode = WAL", "synchronous = NORMAL", "foreign_keys = ON"):
+    for words in _PRAGMAS:
         cursor.execute(f"PRAGMA {words}")
     cursor.close()
 

@@ -57,7 +57,8 @@ class Entry:
     operator, profile : empty where unknown
     measured : UTC, ISO 8601 to the second; empty where unknown
     temperature_c : mean; NaN where it was not measured
-    verdict : ``"finished"``, ``"open"``, ``"good"``, ``"doubt"``, ``"bad"`` or ``"damaged"``
+    verdict : ``"finished"``, ``"open"``, ``"good"``, ``"doubt"``, ``"bad"`` or ``"damaged"``;
+        empty where there is nothing to judge
     count : positions, rows or sensors
     remark : the worst doubt, or why it cannot be read
     sha256 : of the content; empty where it is too large to be hashed
@@ -75,7 +76,7 @@ class Entry:
     profile: str = ""
     measured: str = ""
     temperature_c: float = float("nan")
-    verdict: str = GOOD
+    verdict: str = ""
     count: int = 0
     remark: str = ""
     sha256: str = ""

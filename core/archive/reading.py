@@ -210,7 +210,7 @@ def read_run_entry(path: Path) -> tuple[Found, ...]:
     """A run file."""
     content = read_bytes(path)
     run = parse_run(decode(content, path), str(path))
-    verdict, remark = judged(run.notes)
+    verdict, remark = judged(run.notes, "")
     entry = Entry(
         kind="run",
         path="",
