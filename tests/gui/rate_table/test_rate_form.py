@@ -15,7 +15,7 @@ from tests.gui.rate_table.conftest import RateDesk
 
 
 @pytest.fixture
-def form(rate_desk: RateDesk, qtbot: QtBot) -> RateForm:
+def view(rate_desk: RateDesk, qtbot: QtBot) -> MeasuringView:
     made = RateForm(RateSettings())
     made.rates_set.connect(
         lambda rates, mounts, both: rate_desk.presenter.set_steps(
@@ -27,7 +27,13 @@ def form(rate_desk: RateDesk, qtbot: QtBot) -> RateForm:
     qtbot.addWidget(view)
     view.show()
     qtbot.waitExposed(view)
-    return made
+    return view
+
+
+@pytest.fixture
+def form(view: MeasuringView) -> RateForm:
+    assert isinstance(view.settings, RateForm)
+    return view.settings
 
 
 def shown(form: RateForm) -> set[str]:
