@@ -5,8 +5,8 @@
 
 Searches are the median of 20 calls after a first one; a refresh lists what has changed in the
 folders. With SQLite times are CPU seconds of the process, so that other work on the machine does
-not count; with PostgreSQL, whose server is another process, they are wall clock. There is no peer: the
-programs of the field keep no index.
+not count; with PostgreSQL, whose server is another process, they are wall clock. There is no peer:
+the programs of the field keep no index.
 """
 
 import os
