@@ -26,7 +26,6 @@ try:
     import platform
     import shutil
     import subprocess
-    import tempfile
     from pathlib import Path
     from typing import NamedTuple
 except ImportError as gap:  # Debian's python3-minimal
@@ -322,53 +321,21 @@ def test(environment: Environment, arguments: list[str]) -> int:
 
 def bench(environment: Environment, arguments: list[str]) -> int:
     """Run the benchmarks one after another and count the targets that were missed."""
-    environ = headless_environment()
-    environ["PYTHONPATH"] = str(environment.root)
-    provide_libraries(environ)
-    environment.prepare(DEVELOPMENT)
-    missed = 0
-    for script in sorted(environment.root.glob("tests/benchmarks/bench_*.py")):
-        if arguments and not any(word in script.stem for word in arguments):
-            continue
-        say(script.stem)
-        command = [str(environment.python), "-u", str(script)]
-        with subprocess.Popen(
-            command, env=environ, cwd=environment.root, stdout=subprocess.PIPE, encoding="utf-8"
-        ) as process:
-            lines: list[str] = []
-            for line in process.stdout or ():
-                print(line, end="", flush=True)
-                lines.append(line.rstrip())
-        here = sum(line.endswith("MISSED") for line in lines)
-        if process.returncode != 0 and here == 0:
-            say(f"{script.stem} broke off with exit code {process.returncode}")
-            here = 1
-        missed += here
-    say(f"{missed} missed")
-    return 1 if missed else 0
+    return hand_over(environment, "tests/benchmarks/run_all.py", arguments)
 
 
 def bundle(environment: Environment, arguments: list[str]) -> int:
     """Build the program as one folder that needs no Python, and see it work."""
-    environ = headless_environment()
+    return hand_over(environment, "resources/packaging/bundle.py", arguments)
+
+
+def hand_over(environment: Environment, script: str, arguments: list[str]) -> int:
+    """Run a script of the checkout in the environment, without a screen."""
+    environ = {**headless_environment(), "PYTHONPATH": str(environment.root)}
     provide_libraries(environ)
     environment.prepare(DEVELOPMENT)
-    folder, work = environment.root / "dist", environment.root / "build"
-    spec = environment.root / "resources" / "packaging" / "calrig.spec"
-    build = ["-m", "PyInstaller", "--noconfirm", f"--distpath={folder}", f"--workpath={work}"]
-    run_or_stop(
-        [str(environment.python), *build, *arguments, str(spec)],
-        "PyInstaller could not build the folder; its reason stands above.",
-    )
-    program = folder / "calrig" / ("calrig-cli.exe" if os.name == "nt" else "calrig")
-    with tempfile.TemporaryDirectory() as elsewhere:
-        say("playing the demonstration with what was built")
-        if subprocess.call([program, "demo", "--out", elsewhere], env=environ, cwd=elsewhere) != 0:
-            raise StopError(f"{program} was built and does not work.")
-    kind = "zip" if os.name == "nt" else "gztar"
-    name = f"calrig-{platform.system()}-{platform.machine()}".lower()
-    say(shutil.make_archive(str(folder / name), kind, folder, "calrig"))
-    return 0
+    command = [str(environment.python), str(environment.root / script), *arguments]
+    return subprocess.call(command, env=environ, cwd=environment.root)
 
 
 def has_screen(environ: dict[str, str]) -> bool:
