@@ -144,12 +144,11 @@ class ErrorGraph(QWidget):
             for limit in (self._state.limit, -self._state.limit):
                 y = round(scale.y(limit))
                 painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y))
-            room = QRectF(
-                plot.right() - 12 * unit,
-                scale.y(self._state.limit) - 1.15 * unit,
-                11.6 * unit,
-                unit,
-            )
+            line = scale.y(self._state.limit)
+            above = line - 1.15 * unit
+            # A low plot has no room over the line.
+            top = above if above >= plot.top() else line + 0.15 * unit
+            room = QRectF(plot.right() - 12 * unit, top, 11.6 * unit, unit)
             painter.drawText(
                 room,
                 Qt.AlignmentFlag.AlignRight,
