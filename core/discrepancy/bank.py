@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.arrays import BoolArray, FloatArray, IntArray
-from core.discrepancy.evidence import block_evidence, log_mean
+from core.discrepancy.evidence import block_evidence, log_mean, many_block_evidence
 from core.discrepancy.problem import Problem
 from core.discrepancy.space import Space
 from core.model.effect import Effect, Kind
@@ -182,6 +182,8 @@ class Projected:
         explained, rank = self.explained(residual, added)
         rss = np.sum(residual**2, axis=0)
         dof = self.space.dof - added.shape[1]
-        p = rank if explained.ndim == 1 else np.broadcast_to(rank[:, None], explained.shape)
-        evidence = block_evidence(explained, p, rss, self.space.prior, dof)
-        return np.where((rank > 0) if explained.ndim == 1 else (rank > 0)[:, None], evidence, 0.0)
+        if explained.ndim == 1:
+            evidence = block_evidence(explained, rank, rss, self.space.prior, dof)
+            return np.where(rank > 0, evidence, 0.0)
+        many = many_block_evidence(explained, rank, rss, self.space.prior, dof)
+        return np.where((rank > 0)[:, None], many, 0.0)

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from core.arrays import FloatArray
 
 _G = np.array([16.0, 64.0, 256.0, 1024.0, 4096.0, 65536.0])
+_SHARES = 1.0 - np.exp(-np.linspace(0.0, 9.0, 1500))
 _AMPLITUDES = np.geomspace(0.5, 64.0, 8)
 
 
@@ -32,6 +33,26 @@ def block_evidence(
     left = np.maximum(1.0 - _G / (1.0 + _G) * share[..., None], 1e-12)
     each = -0.5 * p * np.log1p(_G) - 0.5 * (prior + dof) * np.log(left)
     return log_mean(each, axis=-1)
+
+
+def many_block_evidence(
+    explained: FloatArray, parameters: FloatArray, rss: FloatArray, prior: float, dof: float
+) -> FloatArray:
+    """The same for many residuals (m, k) at once, by a table of the explained share.
+
+    Parameters
+    ----------
+    explained : (m, k)
+    parameters : (m,)
+    rss : (k,)
+    """
+    share = np.minimum(explained / (prior + rss), _SHARES[-1])
+    found = np.empty_like(share)
+    for count in np.unique(parameters):
+        own = parameters == count
+        table = block_evidence(_SHARES, np.full(len(_SHARES), count), 1.0, 0.0, prior + dof)
+        found[own] = np.interp(share[own], _SHARES, table)
+    return found
 
 
 def relabel_evidence(rss_after: ArrayLike, rss: float, prior: float, dof: float) -> FloatArray:

@@ -14,9 +14,9 @@ from core.model.catalogue.terms import (
     ideal,
     levels,
     per_head_angle,
-    setups,
     small_gain,
     small_unit,
+    sweeps,
 )
 from core.model.effect import Effect, Kind, Parameter, Sensor
 from core.model.stimulus import Stimulus
@@ -248,7 +248,7 @@ class MountReversed(_Relabelling):
 
     Parameters
     ----------
-    counted : how `number` counts the mountings: ``"mount"`` by what is written, ``"bolting"`` in
+    counted : how `number` counts the mountings: ``"mount"`` by what is written, ``"sweep"`` in
         the order of measuring, ``"place"`` in the order within each run
     number : of the mounting
     """
@@ -257,7 +257,7 @@ class MountReversed(_Relabelling):
     name = "Mount reversed"
     plain = "in one mounting the unit stood the other way round than written"
     equation = "the head turned the other way in that mounting"
-    needs = ("mount",)
+    needs = ("mount", "run", "head_deg")
     tests = STATIC
     seen_as = "the cross-axis sensitivity has another sign in one mounting"
     remedy = "correct the mount, or mount it as planned and repeat"
@@ -293,7 +293,7 @@ class MountReversed(_Relabelling):
     def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
         """Every mounting, if there are several; all reversed is only another name of the axes."""
         found: dict[bytes, Effect] = {}
-        for counted in ("mount", "place", "bolting"):
+        for counted in ("mount", "place", "sweep"):
             groups = _counted(stimulus, counted)
             for number in levels(groups):
                 here = groups == number
@@ -306,12 +306,12 @@ def _counted(stimulus: Stimulus, how: str) -> FloatArray:
     """Number (n,) of the mounting of each row."""
     if how == "mount":
         return stimulus.column("mount")
-    bolting = setups(stimulus).astype(np.float64)
-    if how == "bolting":
-        return bolting
+    sweep = sweeps(stimulus).astype(np.float64)
+    if how == "sweep":
+        return sweep
     run = stimulus.column("run")
-    first = {one: float(bolting[run == one].min()) for one in levels(run)}
-    return bolting - np.array([first[float(one)] for one in run])
+    first = {one: float(sweep[run == one].min()) for one in levels(run)}
+    return sweep - np.array([first[float(one)] for one in run])
 
 
 class RateSignReversed(_Relabelling):

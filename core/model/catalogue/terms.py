@@ -87,6 +87,21 @@ def setups(stimulus: Stimulus) -> IntArray:
     return np.cumsum(np.diff(mount, prepend=mount[:1]) != 0).astype(np.int64)
 
 
+def sweeps(stimulus: Stimulus) -> IntArray:
+    """Number (n,) of the sweep; a mounting, a run or an angle seen before begins a new one."""
+    place = np.column_stack([setups(stimulus), stimulus.column("run")])
+    head = np.mod(stimulus.column("head_deg"), 360.0).round(6)
+    number = np.zeros(len(stimulus), dtype=np.int64)
+    broken = np.any(np.diff(place, axis=0) != 0, axis=1).tolist()
+    angles: list[float] = head.tolist()
+    seen = {angles[0]}
+    for row in range(1, len(stimulus)):
+        new = broken[row - 1] or angles[row] in seen
+        number[row] = number[row - 1] + new
+        seen = {angles[row]} if new else seen | {angles[row]}
+    return number
+
+
 def previous(stimulus: Stimulus, memory: str) -> IntArray:
     """Row (n,) before each row; its own number where nothing is known of what came before.
 
