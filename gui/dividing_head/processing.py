@@ -16,7 +16,7 @@ from core.records.calibration_json import write_calibration
 from core.records.session.record import SessionRecord
 from core.samples.run import Conditions, Run
 from core.units import MILLI
-from gui.dividing_head.settings import HeadSettings
+from gui.dividing_head.settings import HeadSettings, tilter_of
 from gui.dividing_head.tables import (
     accuracy_table,
     attitude_table,
@@ -32,6 +32,30 @@ from gui.measuring.page import Part, ResultsPage
 from gui.widgets.states import MatrixState, TableState
 
 
+@dataclass(frozen=True, slots=True)
+class Stand:
+    """What stands between the shaft of the head and the case.
+
+    Parameters
+    ----------
+    base : how the head's base plate stands
+    tilter_deg : yaw, pitch, roll of the tilter on the plate
+    """
+
+    base: BaseOrientation
+    tilter_deg: tuple[float, float, float]
+
+    @classmethod
+    def of(cls, run: Run, settings: HeadSettings) -> "Stand":
+        """As the run's session states it; else as it is on the screen."""
+        names = ("alpha_arcmin", "beta_arcmin", "gamma_deg", "psi_deg")
+        found = [run.meta.get(f"base_{name}") for name in names]
+        numbers = [float(value) for value in found if isinstance(value, int | float)]
+        if len(numbers) < len(names):
+            return cls(settings.base, settings.tilter.angles_deg)
+        return cls(BaseOrientation(*numbers), tilter_of(run.meta, "tilter_").angles_deg)
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class HeadResult:
     """What processing gives.
@@ -40,14 +64,13 @@ class HeadResult:
     ----------
     page : what is shown
     mg_per_unit : milli-g of one unit of output, by the role of the channel
-    calibration, run, base : what the tables and the exports are made of
+    calibration, run : what the tables and the exports are made of
     """
 
     page: ResultsPage
     mg_per_unit: Mapping[str, float]
     calibration: Calibration
     run: Run
-    base: BaseOrientation
 
     @property
     def matrices(self) -> tuple[tuple[MatrixState, ...], ...]:
@@ -81,7 +104,7 @@ def of_session(
     run = record.run()
     if rows is not None:
         run = run.rows(rows)
-    state = _results(run, settings.conditions(), record.start.base, record.folder.name)
+    state = _results(run, settings.conditions(), Stand.of(run, settings), record.folder.name)
     try:
         write_calibration(state.calibration, record.folder / FILE)
     except StorageError as error:
@@ -93,7 +116,7 @@ def of_session(
 
 def of_run(run: Run, source: str, settings: HeadSettings) -> HeadResult:
     """Calibrate a run with what is on the screen."""
-    return _results(run, settings.conditions(), settings.base, source)
+    return _results(run, settings.conditions(), Stand.of(run, settings), source)
 
 
 def of_file(
@@ -125,13 +148,12 @@ def of_file(
             f"{path.name} holds a {run.sensor} in the test {run.test!r}; here are"
             " accelerometers on the dividing head"
         )
-    return _results(
-        run, _stated(run.conditions, settings.conditions()), _base(run, settings), path.name
-    )
+    conditions = _stated(run.conditions, settings.conditions())
+    return _results(run, conditions, Stand.of(run, settings), path.name)
 
 
-def _results(run: Run, conditions: Conditions, base: BaseOrientation, source: str) -> HeadResult:
-    calibration = calibrate(run, conditions, base)
+def _results(run: Run, conditions: Conditions, stand: Stand, source: str) -> HeadResult:
+    calibration = calibrate(run, conditions, stand.base, stand.tilter_deg)
     source_file, sha256 = run.meta.get("source"), run.meta.get("source_sha256")
     if not calibration.provenance.records and source_file and sha256:
         calibration = replace(
@@ -150,7 +172,7 @@ def _results(run: Run, conditions: Conditions, base: BaseOrientation, source: st
         [*in_matrices, *notes, plot, parameters] if in_matrices else [parameters, *notes, plot]
     )
     parts += [derived_table(calibration), measured_table(calibration, run)]
-    check = attitude_table(calibration, run, base)
+    check = attitude_table(calibration, run, stand.base, stand.tilter_deg)
     if check is not None:
         parts.append(check)
     return HeadResult(
@@ -158,7 +180,6 @@ def _results(run: Run, conditions: Conditions, base: BaseOrientation, source: st
         mg_per_unit=_mg_per_unit(calibration),
         calibration=calibration,
         run=run,
-        base=base,
     )
 
 
@@ -169,15 +190,6 @@ def _stated(of_run: Conditions, of_screen: Conditions) -> Conditions:
     return replace(
         of_screen, **{name: value for name, value in stated.items() if np.isfinite(value)}
     )
-
-
-def _base(run: Run, settings: HeadSettings) -> BaseOrientation:
-    """The base plate as a session states it; else as it is on the screen."""
-    names = ("alpha_arcmin", "beta_arcmin", "gamma_deg", "psi_deg")
-    found = [run.meta.get(f"base_{name}") for name in names]
-    if any(not isinstance(value, int | float) for value in found):
-        return settings.base
-    return BaseOrientation(*(float(value) for value in found if isinstance(value, int | float)))
 
 
 def _mg_per_unit(calibration: Calibration) -> Mapping[str, float]:

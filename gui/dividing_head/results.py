@@ -5,7 +5,6 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject
 
-from core.errors import Severity
 from core.records.session.record import SessionRecord
 from core.samples.run import Run
 from gui.dividing_head.processing import HeadResult, of_file, of_run, of_session
@@ -13,7 +12,7 @@ from gui.dividing_head.settings import HeadSettings
 from gui.jobs import Jobs, Work
 from gui.measuring.results import Results
 from gui.messages import Messages
-from gui.widgets.states import BannerState, TableState
+from gui.widgets.states import TableState
 
 
 class HeadResults(Results):
@@ -48,9 +47,6 @@ class HeadResults(Results):
         self, record: SessionRecord, settings: HeadSettings, rows: Sequence[int] | None
     ) -> None:
         """Calibrate a session, or some of its rows; with the g that is on the screen."""
-        if any(settings.tilter.angles_deg):
-            self._messages.show(self.source, _tilted())
-            return
         self.start(lambda: of_session(record, settings, rows))
 
     def process_again(self, settings: HeadSettings) -> None:
@@ -82,13 +78,3 @@ class HeadResults(Results):
             case _:
                 raise TypeError(f"processing brought {type(result).__name__}")
         self.page = self.state.page
-
-
-def _tilted() -> BannerState:
-    return BannerState(
-        Severity.WARNING,
-        "Positions on a tilted plate cannot be processed",
-        "The angles of the tilter are stored with the session; the calibration knows the mounts"
-        " and the head alone.",
-        "Measure with the tilter at zero.",
-    )

@@ -79,17 +79,25 @@ def settings_of(section: Section) -> HeadSettings:
 
 def settings_of_session(start: SessionStart, screen: HeadSettings) -> HeadSettings:
     """The settings that a session was begun with; what it does not state stays as it is."""
-    tilter = start.tilter
-    mode = text_of(tilter, "mode", "None")
     return HeadSettings(
         **common_of_start(start, screen),
         head_u_arcsec=stated_or(start.conditions.head_u_arcsec, screen.head_u_arcsec),
-        tilter=Tilter(
-            mode if mode in TILTERS else "None",
-            round(number_of(tilter, "number", 1, 1, 99)),
-            round(number_of(tilter, "position", 1, 1, 99)),
-            number_of(tilter, "psi_deg", 0, -360, 360),
-            number_of(tilter, "theta_deg", 0, -360, 360),
-            number_of(tilter, "gamma_deg", 0, -360, 360),
-        ),
+        tilter=tilter_of(start.tilter),
+    )
+
+
+def tilter_of(section: Section, prefix: str = "") -> Tilter:
+    """The tilter that a session states; what is not there or impossible takes its default."""
+    mode = text_of(section, f"{prefix}mode", "None")
+    psi, theta, gamma = (
+        number_of(section, f"{prefix}{name}_deg", 0, -360, 360)
+        for name in ("psi", "theta", "gamma")
+    )
+    return Tilter(
+        mode if mode in TILTERS else "None",
+        round(number_of(section, f"{prefix}number", 1, 1, 99)),
+        round(number_of(section, f"{prefix}position", 1, 1, 99)),
+        psi,
+        theta,
+        gamma,
     )

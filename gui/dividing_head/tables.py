@@ -20,7 +20,6 @@ from gui.widgets.number_text import fixed, value_and_uncertainty
 from gui.widgets.states import MatrixState, ResidualSeries, ResidualState, TableState
 
 _LEVEL = 0.95
-_NORMAL_95 = 1.96
 
 
 def parameter_table(calibration: Calibration) -> TableState:
@@ -97,7 +96,7 @@ def residuals(calibration: Calibration, run: Run) -> ResidualState:
             ResidualSeries(
                 name,
                 tuple(fit.residuals.tolist()),
-                tuple((_NORMAL_95 * fit.sigma).tolist()) if fit.sigma_source != "none" else (),
+                tuple(fit.residual_limits(_LEVEL).tolist()) if fit.sigma_source != "none" else (),
             )
             for name, fit in zip(calibration.channels, calibration.fits, strict=True)
         ),
@@ -164,7 +163,12 @@ def measured_table(calibration: Calibration, run: Run) -> TableState:
     )
 
 
-def attitude_table(calibration: Calibration, run: Run, base: BaseOrientation) -> TableState | None:
+def attitude_table(
+    calibration: Calibration,
+    run: Run,
+    base: BaseOrientation,
+    tilter_deg: tuple[float, float, float],
+) -> TableState | None:
     """Pitch and roll of the calibrated unit against those of the plan; None without a triad."""
     if not calibration.is_triad:
         return None
@@ -172,7 +176,8 @@ def attitude_table(calibration: Calibration, run: Run, base: BaseOrientation) ->
     order = [calibration.axes.index(axis) for axis in ("x", "y", "z")]
     u, se = run.y[:, order], np.nan_to_num(run.y_se[:, order])
     found = attitude(triad.calibrated(u), triad.calibrated_covariance(u, se))
-    true_force = stimulus_of(run, calibration.conditions.g_mps2, base=base).a
+    g = calibration.conditions.g_mps2
+    true_force = stimulus_of(run, g, base=base, tilter_deg=tilter_deg).a
     wanted = attitude(true_force, np.zeros((len(run), 3, 3)))
     rows = tuple(
         (

@@ -126,7 +126,7 @@ def error_plot(table: RateTable) -> CurveState:
     series: list[tuple[str, tuple[float, ...], tuple[float, ...], tuple[float, ...]]] = []
     for sensor in table.sensors:
         order = np.argsort(sensor.line.set_rate, kind="stable")
-        half = 1.96 * sensor.line.fit.sigma / abs(sensor.line.slope.value)
+        half = sensor.line.fit.residual_limits() / abs(sensor.line.slope.value)
         told = sensor.line.fit.sigma_source != "none" and len(table.sensors) <= _WITH_BARS
         series.append(
             (

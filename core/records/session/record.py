@@ -280,6 +280,7 @@ def _meta(record: SessionRecord) -> dict[str, str | float | bool]:
         "base_beta_arcmin": base.beta_arcmin,
         "base_gamma_deg": base.gamma_deg,
         "base_psi_deg": base.psi_deg,
+        **{f"tilter_{name}": value for name, value in start.tilter.items()},
     }
 
 

@@ -165,16 +165,6 @@ def test_the_live_table_is_in_mg_once_the_scale_is_known(desk: Desk):
     assert np.isclose(ratio, 13.1, rtol=0.05)
 
 
-def test_a_tilted_plate_is_measured_and_not_processed(desk: Desk):
-    desk.set(tilter=Tilter("Manual", theta_deg=10.0))
-    desk.presenter.act("accumulate")
-    desk.connection.stand(desk.step)
-    desk.messages.press("take")
-    desk.presenter.act("process")
-    assert "tilted plate" in desk.what
-    assert not desk.results.busy
-
-
 def test_preferences_survive_a_round_trip(desk: Desk):
     desk.set(accumulation_s=7.0, cycle_c=(20.0, 60.0))
     store = desk.presenter._settings
