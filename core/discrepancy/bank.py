@@ -6,7 +6,7 @@ import numpy as np
 
 from core.arrays import BoolArray, FloatArray, IntArray
 from core.discrepancy.evidence import block_evidence, log_mean, many_block_evidence
-from core.discrepancy.problem import Problem
+from core.discrepancy.problem import COMMON, EACH, Problem
 from core.discrepancy.space import Space
 from core.model.effect import Effect, Kind
 
@@ -21,7 +21,7 @@ class Instance:
     Parameters
     ----------
     effect : the instance of the effect
-    channel : which channel; -1 for all by the same parameters
+    channel : which channel, or `COMMON`, or `EACH`
     """
 
     effect: Effect
@@ -58,7 +58,9 @@ class Bank:
         for effect in problem.effects:
             if effect.kind not in _ADDITIVE:
                 continue
-            places = [-1] if effect.shared else list(range(problem.channels))
+            places = [COMMON] if effect.shared else list(range(problem.channels))
+            if problem.channels > 1 and not effect.shared and not effect.alone:
+                places.append(EACH)
             found = [
                 Instance(one, place)
                 for place in places

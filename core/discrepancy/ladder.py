@@ -12,13 +12,13 @@ from core.discrepancy.engine import Engine
 from core.discrepancy.gaps import gap_of, held_out_gap, predicted
 from core.discrepancy.locate import locate
 from core.discrepancy.power import invisible_of, smallest_of
-from core.discrepancy.problem import Problem
+from core.discrepancy.problem import COMMON, EACH, Problem
 from core.discrepancy.result import Explanation, Gap, NoiseFloor
 from core.discrepancy.search import Scored
 from core.discrepancy.settings import Settings
 from core.discrepancy.slots import Slot, State
 from core.discrepancy.steps import candidates_of, fit_slots, steps_of, unknown_step
-from core.discrepancy.verdict import FEWEST, doubted, notes_of, summary_of, verdict_of
+from core.discrepancy.verdict import FEWEST, doubted, is_excess, notes_of, summary_of, verdict_of
 from core.errors import FitError, Note, RankDeficient, Severity
 from core.model.sensor_model import SensorModel
 from core.samples.run import Run
@@ -67,6 +67,9 @@ class Ladder:
     def found(self) -> "Ladder":
         """With all steps that the search finds on top of those that are there."""
         state, unknown = self.engine.found(self.slots)
+        if not state.slots and unknown is None and is_excess(gap_of(self.engine, state)):
+            # That something is missing is certain; its likeliest name is a guess, and told as such.
+            state = self.engine.search.guess(state)
         return replace(self, slots=state.slots, by_hand=len(self.slots), unknown=unknown)
 
     def with_effect(self, identifier: str) -> "Ladder":
@@ -120,9 +123,11 @@ class Ladder:
             own = list(values[start : start + count])
             start += count
             for slot, (parameters, _) in zip(self.slots, fitted, strict=True):
-                if slot.instance.channel in (-1, channel) and slot.raw.shape[1]:
+                if slot.instance.channel in (COMMON, EACH, channel) and slot.raw.shape[1]:
                     model = model.with_effect(slot.instance.effect)
-                    own += [p.value for p in parameters[: slot.raw.shape[1]]]
+                    mine = len(slot.instance.effect.parameters(model.sensor))
+                    first = channel * mine if slot.instance.channel == EACH else 0
+                    own += [p.value for p in parameters[first : first + mine]]
             found.append((model, frozen(own)))
         return tuple(found)
 
@@ -137,7 +142,7 @@ class Ladder:
             steps = (*steps, unknown_step(engine, self.state, self.unknown))
         noise = engine.floor.result(problem.run.unit)
         left = locate(engine, self.state) if self.slots else ()
-        steps = doubted(steps, noise, left)
+        steps = doubted(steps, noise, left, engine.settings.alpha)
         after = steps[-1].after if steps else before
         verdict = verdict_of(steps, noise, after)
         smallest = smallest_of(engine)

@@ -18,6 +18,8 @@ from core.samples.run import Run
 from core.units import STANDARD_GRAVITY
 
 TESTS = ("dividing_head", "static_positions", "rate_table")
+COMMON, EACH = -1, -2
+"""In the place of a channel: all by the same parameters; all, each by its own."""
 _EXCITED = 1e-6
 
 
@@ -99,9 +101,11 @@ class Problem:
         acted = self.stimulus if stimulus is None else stimulus
         return _blocks([model.design(acted) for model in self.models])
 
-    def columns(self, effect: Effect, channel: int = -1) -> FloatArray:
-        """Columns (n c, p) of an effect in one channel, or in all by the same parameters."""
-        if channel < 0:
+    def columns(self, effect: Effect, channel: int = COMMON) -> FloatArray:
+        """Columns (n c, p) of an effect in one channel, `COMMON` to all, or in `EACH` its own."""
+        if channel == EACH:
+            return np.hstack([self.columns(effect, one) for one in range(self.channels)])
+        if channel == COMMON:
             return np.vstack([effect.columns(self.stimulus, m.sensor) for m in self.models])
         block = effect.columns(self.stimulus, self.models[channel].sensor)
         found = np.zeros((self.rows * self.channels, block.shape[1]))

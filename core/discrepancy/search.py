@@ -133,6 +133,14 @@ class Search:
         score = self.unknown(best)
         return best, score if score.margin > self.threshold else None
 
+    def guess(self, state: State) -> State:
+        """A state with the likeliest name, however weak; unchanged where none has any evidence."""
+        best = max(self.scores(state).values(), key=lambda s: s.evidence, default=None)
+        if best is None or best.slot is None or best.evidence <= 0.0:
+            return state
+        slot = self.polished(best.slot, state)
+        return self.state((*state.slots, slot), state.evidence + best.evidence)
+
     def gross(self, state: State) -> State:
         """A state with all that stands out by far."""
         while len(state.slots) < self.most:

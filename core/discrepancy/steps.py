@@ -7,6 +7,7 @@ import numpy as np
 from core.arrays import FloatArray, frozen
 from core.discrepancy.engine import Engine
 from core.discrepancy.gaps import gap_of, held_out_gap
+from core.discrepancy.problem import EACH
 from core.discrepancy.result import UNKNOWN, Candidate, Fitted, Gap, Step
 from core.discrepancy.search import Scored, ranking
 from core.discrepancy.sets import Rivals, rivals_of
@@ -222,10 +223,9 @@ def _parameters(
 ) -> tuple[Fitted, ...]:
     problem = engine.problem
     sensor = problem.models[max(slot.instance.channel, 0)].sensor
-    label = ""
-    if problem.channels > 1 and slot.instance.channel >= 0:
-        label = f" ({problem.run.channels[slot.instance.channel]})"
-    effect = slot.instance.effect
+    channel, effect = slot.instance.channel, slot.instance.effect
+    places = [f" ({name})" for name in problem.run.channels] if problem.channels > 1 else [""]
+    labels = places if channel == EACH else [places[channel] if channel >= 0 else ""]
 
     def unit(text: str) -> str:
         # A gyro at rest has told no scale factor; its numbers are in units of the output.
@@ -234,7 +234,12 @@ def _parameters(
 
     numbers = [
         Fitted(p.name + label, float(v), float(e), unit(p.unit))
-        for p, v, e in zip(effect.parameters(sensor), values, u, strict=True)
+        for (label, p), v, e in zip(
+            ((label, p) for label in labels for p in effect.parameters(sensor)),
+            values,
+            u,
+            strict=True,
+        )
     ]
     fixed = [Fitted(p.name, value, math.nan, unit(p.unit)) for p, value in effect.shape]
     return (*numbers, *fixed)

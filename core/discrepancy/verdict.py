@@ -18,7 +18,7 @@ _FAULTS = frozenset(
         "rate_sign_reversed",
     )
 )
-_EXCESS_P = 1e-4
+_EXCESS_P = 1e-3
 _LEFT_OVER = 0.1
 FEWEST = 3
 """Degrees of freedom below which nothing is said."""
@@ -109,17 +109,20 @@ def notes_of(
 
 
 def doubted(
-    steps: tuple[Step, ...], noise: NoiseFloor, left: tuple[Where, ...]
+    steps: tuple[Step, ...], noise: NoiseFloor, left: tuple[Where, ...], alpha: float
 ) -> tuple[Step, ...]:
-    """The steps, the last of them in doubt if structure is left or the drift is too large.
+    """The steps, the last in doubt if structure is left, noise too large, or it is but a guess.
 
     Two or three effects can imitate a curve that the catalogue does not know; what they leave is
     the only trace of it.
     """
     rest = min((where.p_value for where in left), default=1.0)
-    if not steps or (rest > _LEFT_OVER and not _large(noise.ratios)):
+    if not steps:
         return steps
     last = steps[-1]
+    guessed = not last.added_by_hand and last.p_value > 2.0 * alpha
+    if rest > _LEFT_OVER and not _large(noise.ratios) and not guessed:
+        return steps
     if UNKNOWN in (last.effect, *last.indistinguishable_from):
         return steps
     names = (*last.indistinguishable_from, UNKNOWN)
@@ -127,7 +130,12 @@ def doubted(
 
 
 def _excess(noise: NoiseFloor, after: Gap) -> bool:
-    return bool(_large(noise.ratios)) or (after.p_value < _EXCESS_P and after.gap > _LARGE)
+    return bool(_large(noise.ratios)) or is_excess(after)
+
+
+def is_excess(gap: Gap) -> bool:
+    """Whether so large a gap cannot be an unlucky statement of the noise."""
+    return gap.p_value < _EXCESS_P and gap.gap > _LARGE
 
 
 def _large(ratios: Mapping[str, float]) -> list[tuple[str, float]]:

@@ -110,6 +110,7 @@ class Effect(ABC):
     tests : tests of a `Run` in which it can act
     sensors : kinds of sensor in which it can act
     shared : it acts on all sensors of a unit at once, by the same parameters
+    alone : it never acts on all sensors of a unit at once, each by its own parameters
     seen_as : what its residuals look like
     remedy : what to do about it
     confused_with : identifiers of effects that look alike in some plans
@@ -126,6 +127,7 @@ class Effect(ABC):
     tests: tuple[str, ...] = ()
     sensors: tuple[str, ...] = ("accelerometer", "gyro")
     shared: bool = False
+    alone: bool = False
     seen_as: str = ""
     remedy: str = ""
     confused_with: tuple[str, ...] = ()

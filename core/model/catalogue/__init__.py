@@ -8,8 +8,8 @@ rig, table
     Effects of the dividing head, of mounting, and of the rate table.
 timeline
     Drift, temperature, warm-up, jumps, offsets of runs, pick-up.
-faults
-    Mistakes of the operator and faults of the data.
+faults, relabelling
+    Mistakes of the operator and faults of the data; rows that mean something else than they say.
 terms
     Scaled inputs, neighbours in time and groups, which the effects are made of.
 listing

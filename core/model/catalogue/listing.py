@@ -2,11 +2,7 @@
 
 from core.model.catalogue.common import Bias, CrossAxis, ScaleFactor
 from core.model.catalogue.faults import (
-    ChannelsPermuted,
-    MountReversed,
     Outlier,
-    PositionsSwapped,
-    RateSignReversed,
     ShortAccumulation,
     StuckReading,
     WrongAngle,
@@ -25,6 +21,12 @@ from core.model.catalogue.nonlinear import (
     ScaleFactorAsymmetry,
     SecondOrder,
     ThirdOrder,
+)
+from core.model.catalogue.relabelling import (
+    ChannelsPermuted,
+    MountReversed,
+    PositionsSwapped,
+    RateSignReversed,
 )
 from core.model.catalogue.rig import (
     HeadEccentricity,

@@ -273,6 +273,7 @@ class Saturation(Effect):
     seen_as = "flat ends of the characteristic"
     remedy = "keep the input below the level; look at the limits of the converter"
     confused_with = ("third_order_nonlinearity", "scale_factor_asymmetry", "table_slip")
+    alone = True
     typical = {"accelerometer": 10.0, "gyro": 10.0}  # noqa: RUF012
 
     def __init__(self, level: float = 0.9, side: int = 1, step: float = 0.05) -> None:
