@@ -13,5 +13,6 @@ processing        their work: a calibration with its page, in a worker
 formats           the files of the export
 tables            a calibration as tables: Tables 1.3, 1.4, 2.3, 2.7
 demo              its part of the demonstration
+thermal_offer     the way to the Thermal tab after a temperature cycle
 ================  ==================================================================
 """
