@@ -54,6 +54,10 @@ class Engine:
         # out by far is looked for under the stated noise first.
         stated = _under(problem, settings, bank, Floor.stated(problem, settings)).search
         gross = stated.gross(stated.state(())).slots
+        if any(not slot.raw.shape[1] for slot in gross):
+            # Rows that were mistaken have bent the response through which the rig acts.
+            problem = problem.corrected(sum((slot.change for slot in gross), 0.0 * problem.y))
+            bank = Bank.of(problem)
         first = _under(problem, settings, bank, Floor.of(problem, settings, gross))
         state, _ = first.search.run()
         if {slot.key for slot in state.slots} == {slot.key for slot in gross}:

@@ -108,26 +108,26 @@ class Ladder:
         What is simulated, fitted and exported from here on has the steps in it.
         """
         problem = self.engine.problem
+        fitted = fit_slots(self.engine, self.state)
         values = np.linalg.lstsq(
             self.engine.search.bank.space.white(problem.design()),
             self.engine.search.bank.space.white(
-                problem.y - sum((c for _, c in fit_slots(self.engine, self.state)), 0.0 * problem.y)
+                problem.y - sum((one.curve for one in fitted), 0.0 * problem.y)
             ),
             rcond=None,
         )[0]
-        fitted = fit_slots(self.engine, self.state)
         found: list[tuple[SensorModel, FloatArray]] = []
         start = 0
         for channel, model in enumerate(problem.models):
             count = len(model.parameters)
             own = list(values[start : start + count])
             start += count
-            for slot, (parameters, _) in zip(self.slots, fitted, strict=True):
+            for slot, one in zip(self.slots, fitted, strict=True):
                 if slot.instance.channel in (COMMON, EACH, channel) and slot.raw.shape[1]:
                     model = model.with_effect(slot.instance.effect)
                     mine = len(slot.instance.effect.parameters(model.sensor))
                     first = channel * mine if slot.instance.channel == EACH else 0
-                    own += [p.value for p in parameters[first : first + mine]]
+                    own += one.values[first : first + mine].tolist()
             found.append((model, frozen(own)))
         return tuple(found)
 

@@ -81,6 +81,13 @@ class Problem:
             notes=notes,
         )
 
+    def corrected(self, change: FloatArray) -> "Problem":
+        """With the responses that the outputs have with this change; the outputs stay."""
+        y = (self.y + change).reshape(self.channels, self.rows).T
+        run = replace(self.run, y=y)
+        models = tuple(_model(run, self.stimulus, channel) for channel in range(self.channels))
+        return replace(self, models=models)
+
     @property
     def rows(self) -> int:
         """Rows of one channel."""

@@ -19,6 +19,7 @@ _GROSS, _AHEAD = 60.0, 30.0
 _UNKNOWN_COST = 0.5
 _ROUNDS = 3
 _FINEST = 0.02
+_FAR, _IMPLAUSIBLE = 15.0, -4.6
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -81,11 +82,23 @@ class Search:
                 continue
             value = float(by_name[place])
             if value > 0.0:
-                value += bank.instances[best].effect.log_odds
+                value += bank.instances[best].effect.log_odds + self._plausible(best, state)
             found[name] = Scored(value, value - self.doubts.get(name, 0.0), self.slot(best))
         for name, (value, slot) in self.relabels.scores(state).items():
             found[name] = Scored(value, value, slot)
         return found
+
+    def _plausible(self, instance: int, state: State) -> float:
+        """What speaks against a size far beyond what sensors and rigs of this kind show."""
+        one = self.bank.bank.instances[instance]
+        typical = one.effect.typical.get(self.problem.run.sensor, 0.0)
+        told = bool(self.problem.models[0].sensor.response)
+        if typical <= 0.0 or not told or self.bank.bank.count[instance] > 1:
+            return 0.0
+        column = self.bank.columns[:, self.bank.bank.block(instance)][:, 0]
+        column = column - state.added @ (state.added.T @ column)
+        size = float(column @ state.residual) / max(float(column @ column), 1e-300)
+        return _IMPLAUSIBLE if abs(size) > _FAR * typical else 0.0
 
     def slot(self, instance: int) -> Slot:
         """An instance of the bank as a slot."""

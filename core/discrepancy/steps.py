@@ -1,6 +1,7 @@
 """Steps of the ladder: parameters with uncertainty, curves, rivals."""
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -74,14 +75,30 @@ def candidate_of(
         equation=effect.equation,
         evidence=one.evidence,
         probability=weight,
-        parameters=fitted[0],
+        parameters=fitted.parameters,
         gap_after=gap_of(engine, state).gap,
         alias=alias,
-        curve=frozen(fitted[1]),
+        curve=frozen(fitted.curve),
     )
 
 
-def fit_slots(engine: Engine, state: State) -> list[tuple[tuple[Fitted, ...], FloatArray]]:
+@dataclass(frozen=True, slots=True, eq=False)
+class FittedSlot:
+    """A slot with its numbers.
+
+    Parameters
+    ----------
+    parameters : for people: amplitude and phase instead of sine and cosine
+    values : (p,) of the columns
+    curve : (n,) what it adds, output units
+    """
+
+    parameters: tuple[Fitted, ...]
+    values: FloatArray
+    curve: FloatArray
+
+
+def fit_slots(engine: Engine, state: State) -> list[FittedSlot]:
     """Parameters and curve of each slot, all fitted together with the plain model.
 
     The uncertainty of a shape (time constant, level) is in that of the parameters: its derivative
@@ -104,11 +121,12 @@ def fit_slots(engine: Engine, state: State) -> list[tuple[tuple[Fitted, ...], Fl
     dof = space.dof - state.added.shape[1]
     level = (space.prior + state.rss) / max(space.prior + dof, 1.0)
     u = np.sqrt(np.maximum(np.diag(covariance)[:count] * level, 0.0))
-    found: list[tuple[tuple[Fitted, ...], FloatArray]] = []
+    found: list[FittedSlot] = []
     for i, slot in enumerate(state.slots):
         own = slice(int(starts[i]), int(starts[i]) + slot.raw.shape[1])
         curve = slot.raw @ values[own] - slot.change
-        found.append((_parameters(engine, slot, values[own], u[own]), curve))
+        parameters = _parameters(engine, slot, values[own], u[own])
+        found.append(FittedSlot(parameters, values[own], curve))
     return found
 
 
@@ -170,7 +188,7 @@ def unknown_step(engine: Engine, state: State, one: Scored) -> Step:
 def _step(
     engine: Engine,
     slot: Slot,
-    fitted: tuple[tuple[Fitted, ...], FloatArray],
+    fitted: FittedSlot,
     rivals: Rivals,
     after: Gap,
     until: State,
@@ -184,7 +202,7 @@ def _step(
         equation=effect.equation,
         seen_as=effect.seen_as,
         remedy=effect.remedy,
-        parameters=fitted[0],
+        parameters=fitted.parameters,
         probability=rivals.probability,
         p_value=engine.p_value(rivals.margin),
         evidence=rivals.evidence,
@@ -192,7 +210,7 @@ def _step(
         after=after,
         held_out_gap_after=held_out_gap(engine, until),
         advice=effect.remedy,
-        curve=frozen(fitted[1]),
+        curve=frozen(fitted.curve),
         candidates=tuple(
             candidate_of(engine, rivals.others, name, one, weight, alias=name in rivals.aliases)
             for name, one, weight in rivals.ranked[:_SHOWN]
@@ -242,7 +260,26 @@ def _parameters(
         )
     ]
     fixed = [Fitted(p.name, value, math.nan, unit(p.unit)) for p, value in effect.shape]
-    return (*numbers, *fixed)
+    return (*_polar(numbers), *fixed)
+
+
+def _polar(numbers: list[Fitted]) -> list[Fitted]:
+    """Sine and cosine parts as amplitude and phase."""
+    found: list[Fitted] = []
+    while numbers:
+        first, *numbers = numbers
+        stem, _, label = first.name.partition("_sine")
+        if stem == first.name:
+            found.append(first)
+            continue
+        second, *numbers = numbers
+        size = math.hypot(first.value, second.value)
+        along = math.hypot(first.value * first.u, second.value * second.u) / size
+        across = math.hypot(second.value * first.u, first.value * second.u) / size**2
+        phase = math.degrees(math.atan2(second.value, first.value))
+        found.append(Fitted(f"{stem}_amplitude{label}", size, along, first.unit))
+        found.append(Fitted(f"{stem}_phase{label}", phase, math.degrees(across), "deg"))
+    return found
 
 
 def _in_words(engine: Engine, one: Scored, curve: FloatArray | None = None) -> str:

@@ -91,6 +91,10 @@ class Kind(Enum):
     """Rows mean something else than they say; nothing is fitted."""
     EXCHANGE = "exchange"
     """Two rows stand in each other's place; nothing is fitted."""
+    NOISE = "noise"
+    """How the scatter of a record goes with frequency; no columns."""
+    FACT = "fact"
+    """A fault of the data that is counted, not fitted; no columns."""
 
 
 class Effect(ABC):

@@ -22,6 +22,29 @@ from core.model.catalogue.nonlinear import (
     SecondOrder,
     ThirdOrder,
 )
+from core.model.catalogue.record import (
+    AmplitudeError,
+    DampingAnisotropy,
+    PhaseError,
+    QuadratureLeakage,
+    ResonatorFrequency,
+    Telegraph,
+    TemperatureRate,
+    ThermalHysteresis,
+    ThermalLag,
+)
+from core.model.catalogue.record_facts import (
+    AngleRandomWalk,
+    BiasInstability,
+    Clipping,
+    Dropouts,
+    Markov,
+    MissingCodes,
+    Quantization,
+    RateRandomWalk,
+    StaleTemperature,
+    VarianceBurst,
+)
 from core.model.catalogue.relabelling import (
     ChannelsPermuted,
     MountReversed,
@@ -63,6 +86,11 @@ CATALOGUE: dict[str, Effect] = {
         *(TableSlip(), WrongRate(), Wobble(), AmplitudeScaleFactor()),
         *(GSquared(), MagneticSensitivity(), EarthRate()),
         *(Outlier(), WrongAngle(), WrongStop(), ShortAccumulation(), StuckReading()),
+        *(TemperatureRate(), ThermalLag(), ThermalHysteresis(), Telegraph()),
+        *(QuadratureLeakage(), PhaseError(), DampingAnisotropy()),
+        *(ResonatorFrequency(), AmplitudeError()),
+        *(Quantization(), AngleRandomWalk(), BiasInstability(), RateRandomWalk(), Markov()),
+        *(Dropouts(), MissingCodes(), StaleTemperature(), VarianceBurst(), Clipping()),
         *(PositionsSwapped(), MountReversed(), RateSignReversed(), ChannelsPermuted()),
     )
 }

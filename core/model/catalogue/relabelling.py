@@ -124,26 +124,8 @@ class MountReversed(_Relabelling):
 
     def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
         """Every mounting, if there are several; all reversed is only another name of the axes."""
-        found: dict[bytes, Effect] = {}
-        for counted in ("mount", "place", "sweep"):
-            groups = _counted(stimulus, counted)
-            for number in levels(groups):
-                here = groups == number
-                if not here.all():
-                    found.setdefault(here.tobytes(), MountReversed(counted, int(number)))
-        return tuple(found.values())
-
-
-def _counted(stimulus: Stimulus, how: str) -> FloatArray:
-    """Number (n,) of the mounting of each row."""
-    if how == "mount":
-        return stimulus.column("mount")
-    sweep = sweeps(stimulus).astype(np.float64)
-    if how == "sweep":
-        return sweep
-    run = stimulus.column("run")
-    first = {one: float(sweep[run == one].min()) for one in levels(run)}
-    return sweep - np.array([first[float(one)] for one in run])
+        places = _places(stimulus, ("mount", "place", "sweep"))
+        return tuple(MountReversed(*place) for place in places)
 
 
 class RateSignReversed(_Relabelling):
@@ -198,41 +180,66 @@ class ChannelsPermuted(_Relabelling):
     Parameters
     ----------
     order : column that really holds the first, second, ... output
-    mount : number of the mounting; -1 for all
+    counted, number : which mounting, see `MountReversed`, or which ``"run"``
     """
 
     id = "channels_permuted"
     name = "Channels permuted"
     plain = "outputs of the triad stand in each other's columns"
     equation = "columns of y exchanged"
-    needs = ("mount",)
+    needs = ("mount", "run", "head_deg")
     tests = HEAD
     seen_as = "a sensor answers to the axis of another one"
     remedy = "correct the names of the columns"
 
-    def __init__(self, order: tuple[int, ...] = (), mount: int = -1) -> None:
-        self._order, self._mount = order, mount
+    def __init__(
+        self, order: tuple[int, ...] = (), counted: str = "mount", number: int = 0
+    ) -> None:
+        self._order, self._counted, self._number = order, counted, number
 
     @property
     def shape(self) -> tuple[tuple[Parameter, float], ...]:
-        """Which column holds which output, and the mounting, from 1; 0 for all."""
+        """Which column holds which output, and the mounting, from 1."""
         columns = "".join(str(place + 1) for place in self._order) or "0"
         return (
             (Parameter("columns", "", ""), float(columns)),
-            (Parameter("mounting", "", ""), float(self._mount + 1)),
+            (Parameter(self._counted, "", ""), self._number + 1.0),
         )
 
     def relabel(self, stimulus: Stimulus, y: FloatArray) -> tuple[Stimulus, FloatArray]:
         """Put the columns right."""
         if y.shape[1] != len(self._order):
             return stimulus, y
-        here = stimulus.column("mount") == self._mount if self._mount >= 0 else True
-        return stimulus, np.where(np.atleast_1d(here)[:, None], y[:, list(self._order)], y)
+        here = _counted(stimulus, self._counted) == self._number
+        return stimulus, np.where(here[:, None], y[:, list(self._order)], y)
 
     def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
         """Every order of three columns in every mounting; in all it is only another naming."""
         orders = ((1, 0, 2), (0, 2, 1), (2, 1, 0), (1, 2, 0), (2, 0, 1))
-        mounts = levels(stimulus.column("mount"))
-        if len(mounts) < 2:
-            return ()
-        return tuple(ChannelsPermuted(order, int(m)) for m in mounts for order in orders)
+        places = _places(stimulus, ("mount", "place", "sweep", "run"))
+        return tuple(ChannelsPermuted(order, *place) for place in places for order in orders)
+
+
+def _places(stimulus: Stimulus, ways: tuple[str, ...]) -> list[tuple[str, int]]:
+    """Mountings by different ways of counting, each set of rows once, but never all rows."""
+    found: dict[bytes, tuple[str, int]] = {}
+    for counted in ways:
+        groups = _counted(stimulus, counted)
+        for number in levels(groups):
+            here = groups == number
+            if not here.all():
+                found.setdefault(here.tobytes(), (counted, int(number)))
+    return list(found.values())
+
+
+def _counted(stimulus: Stimulus, how: str) -> FloatArray:
+    """Number (n,) of the mounting of each row."""
+    if how in ("mount", "run"):
+        numbers = stimulus.column(how)
+        return numbers - (numbers.min() if how == "run" else 0.0)
+    sweep = sweeps(stimulus).astype(np.float64)
+    if how == "sweep":
+        return sweep
+    run = stimulus.column("run")
+    first = {one: float(sweep[run == one].min()) for one in levels(run)}
+    return sweep - np.array([first[float(one)] for one in run])

@@ -17,6 +17,7 @@ STATIC = ("dividing_head", "static_positions")
 HEAD = ("dividing_head",)
 TABLE = ("rate_table",)
 ALL = (*STATIC, *TABLE)
+RECORD = ("record",)
 _SAME = 1e-9
 
 

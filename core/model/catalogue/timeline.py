@@ -5,6 +5,7 @@ import numpy as np
 from core.arrays import FloatArray
 from core.model.catalogue.terms import (
     ALL,
+    RECORD,
     TABLE,
     column,
     gain,
@@ -31,7 +32,7 @@ class BiasDrift(Effect):
     plain = "the bias goes steadily with time"
     equation = "D * t"
     kind = Kind.BLOCK
-    tests = ALL
+    tests = (*ALL, *RECORD)
     seen_as = "a straight line against time"
     remedy = "wait until it has settled; repeat the first positions at the end"
     confused_with = ("bias_temperature", "warm_up", "run_bias", "remount_bias")
@@ -55,7 +56,7 @@ class BiasTemperature(Effect):
     equation = "bT * (T - T0)"
     needs = ("temperature_c",)
     kind = Kind.BLOCK
-    tests = ALL
+    tests = (*ALL, *RECORD)
     seen_as = "a straight line against temperature"
     remedy = "calibrate over temperature; change the temperature on purpose by 10 degrees"
     confused_with = ("bias_drift", "warm_up", "scale_factor_temperature")
@@ -109,7 +110,7 @@ class WarmUp(Effect):
     plain = "after switching on the bias settles exponentially"
     equation = "W * exp(-t / tau)"
     kind = Kind.BLOCK
-    tests = ALL
+    tests = (*ALL, *RECORD)
     seen_as = "the first rows lie off and come closer"
     remedy = "switch on earlier; begin when the temperature stands"
     confused_with = ("bias_drift", "bias_temperature")
@@ -161,7 +162,7 @@ class BiasJump(Effect):
     plain = "the bias jumped once and stayed"
     equation = "J from one row on"
     kind = Kind.EVENT
-    tests = ALL
+    tests = (*ALL, *RECORD)
     seen_as = "a step against time"
     remedy = "repeat the test; look for a knock, a re-start, a change of the supply"
     confused_with = ("run_bias", "remount_bias", "bias_drift")
@@ -290,7 +291,7 @@ class Pickup(Effect):
     plain = "something periodic in time is picked up"
     equation = "A * sin(2 pi f t + phase)"
     kind = Kind.BLOCK
-    tests = ALL
+    tests = (*ALL, *RECORD)
     seen_as = "a sine against time"
     remedy = "look for mains and motors; reverse a run, which tells it from an error of the head"
     confused_with = ("head_periodic_error",)
