@@ -69,8 +69,8 @@ def _settings(problem: Problem) -> list[_Described]:
     if run.test == "rate_table":
         rate = run.set_rate_dps
         return [
-            ("set_rate_dps", "deg/s", rate, _powers(rate)),
-            ("set_rate_dps", "deg/s", rate, _bumps(rate)),
+            ("set_rate_dps", "deg/s", rate, powers(rate)),
+            ("set_rate_dps", "deg/s", rate, bumps(rate)),
         ]
     head = np.mod(run.head_deg, 360.0)
     size = float(np.max(np.abs(a)))
@@ -78,7 +78,7 @@ def _settings(problem: Problem) -> list[_Described]:
     return [
         ("head_deg", "deg", head, _harmonics(head)),
         ("head_deg", "deg", head, _bumps_around(head)),
-        *((f"a_{'xyz'[i]}", "m/s^2", a[:, i], _powers(a[:, i])) for i in changing),
+        *((f"a_{'xyz'[i]}", "m/s^2", a[:, i], powers(a[:, i])) for i in changing),
     ]
 
 
@@ -92,10 +92,10 @@ def _circumstances(problem: Problem) -> list[_Described]:
     timed = bool(np.all(np.isfinite(run.t_s)))
     order = np.arange(n, dtype=np.float64)
     name, unit, t = ("t_s", "s", run.t_s) if timed else ("order", "", order)
-    found.append((name, unit, t, _waves(times(problem))))
+    found.append((name, unit, t, waves(times(problem))))
     temperature = stimulus.columns.get("temperature_c", np.full(n, np.nan))
     if np.all(np.isfinite(temperature)):
-        found.append(("temperature_c", "degC", temperature, _powers(temperature, 4)))
+        found.append(("temperature_c", "degC", temperature, powers(temperature, 4)))
     found += [(key, "", stimulus.column(key), _groups(stimulus.column(key))) for key in _GROUPS]
     place = run.set_rate_dps if run.test == "rate_table" else run.head_deg
     step = np.sign(np.diff(place, prepend=place[:1]))
@@ -157,7 +157,8 @@ def _harmonics(head_deg: FloatArray) -> FloatArray:
     )
 
 
-def _powers(values: FloatArray, highest: int = _POWERS) -> FloatArray:
+def powers(values: FloatArray, highest: int = _POWERS) -> FloatArray:
+    """Legendre polynomials (n, q) over the range of a regressor, the higher the smaller."""
     middle, half = 0.5 * (values.max() + values.min()), 0.5 * float(np.ptp(values))
     x = (values - middle) / (half if half > 0.0 else 1.0)
     count = min(highest, len(np.unique(values.round(9))) - 1)
@@ -168,7 +169,8 @@ def _powers(values: FloatArray, highest: int = _POWERS) -> FloatArray:
     )
 
 
-def _waves(t: FloatArray) -> FloatArray:
+def waves(t: FloatArray) -> FloatArray:
+    """Slow cosines (n, q) over time, and what turns from row to row."""
     span = float(np.ptp(t))
     x = (t - t[0]) / (span if span > 0.0 else 1.0)
     turns = np.where(np.arange(len(t)) % 2, -1.0, 1.0)  # every other row
@@ -182,7 +184,7 @@ def _bumps_around(head_deg: FloatArray) -> FloatArray:
     return np.exp(-0.5 * (away / _LOCAL_DEG) ** 2)
 
 
-def _bumps(values: FloatArray) -> FloatArray:
+def bumps(values: FloatArray) -> FloatArray:
     """Curves that are local in a regressor."""
     width = _LOCAL * float(np.ptp(values))
     centres = float(values.min()) + float(np.ptp(values)) * np.arange(12) / 11.0

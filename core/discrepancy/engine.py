@@ -52,18 +52,18 @@ class Engine:
         bank = Bank.of(problem)
         # Rows that mean something else than they say make a mockery of the replicates: what stands
         # out by far is looked for under the stated noise first.
-        stated = _under(problem, settings, bank, Floor.stated(problem, settings)).search
+        stated = under(problem, settings, bank, Floor.stated(problem, settings)).search
         gross = stated.gross(stated.state(())).slots
         if any(not slot.raw.shape[1] for slot in gross):
             # Rows that were mistaken have bent the response through which the rig acts.
             problem = problem.corrected(sum((slot.change for slot in gross), 0.0 * problem.y))
             bank = Bank.of(problem)
-        first = _under(problem, settings, bank, Floor.of(problem, settings, gross))
+        first = under(problem, settings, bank, Floor.of(problem, settings, gross))
         state, _ = first.search.run()
         if {slot.key for slot in state.slots} == {slot.key for slot in gross}:
-            return _calibrated(first)
+            return calibrated(first)
         second = Floor.of(problem, settings, state.slots)
-        return _calibrated(_under(problem, settings, bank, second))
+        return calibrated(under(problem, settings, bank, second))
 
     def found(self, forced: tuple[Slot, ...] = ()) -> tuple[State, Scored | None]:
         """The best set of effects that holds the forced ones."""
@@ -75,9 +75,17 @@ class Engine:
         return (above + 1.0) / (len(self.top) + 1.0)
 
 
-def _under(problem: Problem, settings: Settings, bank: Bank, floor: Floor) -> Engine:
+def under(
+    problem: Problem,
+    settings: Settings,
+    bank: Bank,
+    floor: Floor,
+    regressors: tuple[Regressor, ...] | None = None,
+) -> Engine:
+    """A run under a noise floor, without the threshold; `regressors` other than those of a run."""
     space = floor.space(problem.design())
-    regressors = regressors_of(problem, np.sqrt(np.diag(floor.covariance)))
+    if regressors is None:
+        regressors = regressors_of(problem, np.sqrt(np.diag(floor.covariance)))
     search = Search(
         problem=problem,
         bank=bank.in_space(space),
@@ -92,7 +100,7 @@ def _under(problem: Problem, settings: Settings, bank: Bank, floor: Floor) -> En
     return Engine(problem, settings, bank, floor, regressors, search, none, np.zeros(0))
 
 
-def _calibrated(engine: Engine) -> Engine:
+def calibrated(engine: Engine) -> Engine:
     """With the threshold that data without any effect exceed in `alpha` of cases."""
     search, space = engine.search, engine.search.bank.space
     rng = np.random.default_rng(_SEED)
