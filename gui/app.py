@@ -16,12 +16,13 @@ from PySide6.QtWidgets import QApplication, QWidget
 from core.errors import FormatError, LabError, Severity
 from gui.garbage import Collector
 from gui.jobs import Jobs
-from gui.main_window import LOOKS, LoadTab, MainWindow, PlanTab, Tab, TabModule
+from gui.main_window import LoadTab, MainWindow, PlanTab, Tab, TabModule
 from gui.messages import Messages
-from gui.settings import Settings, text_of
+from gui.settings import Settings, number_of, text_of
 from gui.widgets.sound import Cue, Sounds
 from gui.widgets.states import BannerAction, BannerState
 from gui.widgets.theme import apply_theme
+from gui.widgets.window_menu import LOOKS, VOLUMES
 
 if TYPE_CHECKING:
     from core.plans.plan import Plan, Step
@@ -93,6 +94,7 @@ class Application(QObject):
         self.window = MainWindow(self.messages)
         for title in TABS:
             self.window.tabs.addTab(QWidget(), title)
+        self.window.menu.put_tabs(tuple(TABS))
         self._restore()
 
     def start(self) -> None:
@@ -185,11 +187,12 @@ class Application(QObject):
         geometry = text_of(section, "geometry")
         if not (geometry and self.window.restoreGeometry(QByteArray.fromHex(geometry.encode()))):
             self.window.resize(1280, 800)
-        self.window.show_look(self._look)
-        self._on_sound(section.get("sound") is not False)
-        self.window.show_sound(self.sounds.volume > 0)
-        self.window.look_chosen.connect(self._on_look)
-        self.window.sound_switched.connect(self._on_sound)
+        menu = self.window.menu
+        menu.show_look(self._look)
+        self.sounds.set_volume(number_of(section, "volume", VOLUMES["normal"], 0.0, 1.0))
+        menu.show_volume(self.sounds.volume)
+        menu.look_chosen.connect(self._on_look)
+        menu.volume_chosen.connect(self._on_volume)
         self.window.closing.connect(self.close)
         if self.settings.doubt:
             self.messages.log(Severity.WARNING, self.settings.doubt)
@@ -217,7 +220,7 @@ class Application(QObject):
         geometry = bytes(self.window.saveGeometry().toHex().data()).decode()
         self.settings.store(
             "window",
-            {"look": self._look, "sound": self.sounds.volume > 0, "geometry": geometry},
+            {"look": self._look, "volume": self.sounds.volume, "geometry": geometry},
         )
         try:
             self.settings.save()
@@ -295,10 +298,13 @@ class Application(QObject):
 
     def _on_look(self, look: str) -> None:
         self._look = look
+        self.window.menu.show_look(look)
         apply_theme(self._qt, look)
 
-    def _on_sound(self, on: bool) -> None:
-        self.sounds.set_volume(0.6 if on else 0.0)
+    def _on_volume(self, volume: float) -> None:
+        """Take a loudness, and let it be heard."""
+        self.sounds.set_volume(volume)
+        self._play("done")
 
 
 def run(options: Options) -> int:

@@ -4,23 +4,21 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
 from PySide6.QtCore import QEvent, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QAction, QActionGroup, QCloseEvent, QKeySequence, QPaintEvent, QShortcut
+from PySide6.QtGui import QAction, QCloseEvent, QKeySequence, QPaintEvent, QShortcut
 from PySide6.QtWidgets import (
     QDockWidget,
     QMainWindow,
-    QMenu,
     QTabWidget,
     QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
-from core.errors import Severity
 from gui.messages import Messages
 from gui.widgets.banner import Banner
 from gui.widgets.device_strip import DeviceStrip
 from gui.widgets.log_drawer import LogDrawer
-from gui.widgets.states import BannerState
+from gui.widgets.window_menu import WindowMenu
 
 if TYPE_CHECKING:
     # Known to the tabs alone: the empty window is painted before they are imported.
@@ -80,9 +78,6 @@ class TabModule(Protocol):
         ...
 
 
-LOOKS = ("light", "dark", "system")
-
-
 class MainWindow(QMainWindow):
     """Parts in their places; what they show comes from the application.
 
@@ -91,8 +86,6 @@ class MainWindow(QMainWindow):
     messages : what banner and log show
     """
 
-    look_chosen = Signal(str)
-    sound_switched = Signal(bool)
     stop_requested = Signal()
     start_requested = Signal()
     closing = Signal()
@@ -110,13 +103,10 @@ class MainWindow(QMainWindow):
         self.log = LogDrawer()
         self._menu_button = QToolButton()
         self._menu_button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        self._menu = QMenu(self)
-        self._menu_button.setMenu(self._menu)
+        self.menu = WindowMenu(self.tabs, self)
+        self._menu_button.setMenu(self.menu)
+        self._menu_button.setShortcut(QKeySequence("F10"))
         self.tabs.setCornerWidget(self._menu_button, Qt.Corner.TopRightCorner)
-        self._looks = QActionGroup(self)
-        self._look_actions: dict[str, QAction] = {}
-        self._sound = QAction(self)
-        self._keys = QAction(self)
         self._dock = QDockWidget(self)
         self._dock.setObjectName("rig")
         self._dock.setFeatures(
@@ -149,34 +139,17 @@ class MainWindow(QMainWindow):
         self.setMinimumSize(QSize(1000, 640))
 
     def _build_menu(self) -> None:
-        for look in LOOKS:
-            action = QAction(self)
-            action.setCheckable(True)
-            action.setData(look)
-            self._looks.addAction(action)
-            self._menu.addAction(action)
-            self._look_actions[look] = action
-        self._looks.triggered.connect(self._on_look)
-        self._menu.addSeparator()
-        self._sound.setCheckable(True)
-        self._sound.toggled.connect(self.sound_switched)
-        self._menu.addAction(self._sound)
-        self._menu.addAction(self._dock.toggleViewAction())
-        self._dock.toggleViewAction().setVisible(False)
-        adc = self._adc.toggleViewAction()
+        menu = self.menu
+        rig, adc = self._dock.toggleViewAction(), self._adc.toggleViewAction()
+        rig.setVisible(False)
         adc.setShortcut(QKeySequence("Ctrl+D"))
-        self._menu.addAction(adc)
+        menu.insertActions(menu.docks, [rig, adc])
         self.strip.menu.addAction(adc)
         self.strip.menu.addSeparator()
         self.strip.menu.addAction(self._stop)
         self.strip.menu.addAction(self._start)
         self._stop.triggered.connect(self.stop_requested)
         self._start.triggered.connect(self.start_requested)
-        self._menu.addSeparator()
-        self._keys.setShortcut(QKeySequence("F1"))
-        self._keys.triggered.connect(self._on_keys)
-        self._menu.addAction(self._keys)
-        self.addAction(self._keys)
 
     def _connect(self) -> None:
         self._messages.shown.connect(self.banner.render)
@@ -223,37 +196,6 @@ class MainWindow(QMainWindow):
         self._dock.setVisible(panel is not None)
         self._dock.toggleViewAction().setVisible(panel is not None)
 
-    def show_look(self, look: str) -> None:
-        """Mark the look that is worn."""
-        self._look_actions[look].setChecked(True)
-
-    def show_sound(self, on: bool) -> None:
-        """Mark whether sounds are played."""
-        self._sound.setChecked(on)
-
-    def _on_look(self, action: QAction) -> None:
-        self.look_chosen.emit(action.data())
-
-    def _on_keys(self) -> None:
-        self._messages.show(
-            "keys",
-            BannerState(
-                Severity.INFO,
-                self.tr("Keys"),
-                self.tr(
-                    "Space accumulates. Backspace repeats the last position. Delete discards."
-                    " Ctrl+Z takes back. Esc stops. Arrows and Enter, or 1 to 9, pick a position."
-                    " Ctrl+H hands-free. Ctrl+O loads, F5 processes, Ctrl+E exports. Ctrl+L log."
-                    "\nLive: Space starts the record, Esc stops it, Ctrl+R resumes, Enter in Note"
-                    " marks. A and B set the cursors, C clears them. Home shows everything, End"
-                    " follows. Ctrl+wheel scales a channel. F6 live view."
-                    "\nAllan: Space starts the live curve, F5 analyses its recording. Left, Right"
-                    " move the cursor, Home shows everything, Delete removes the record."
-                    " Ctrl+D shows ADC data."
-                ),
-            ),
-        )
-
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
         if not self._was_painted:
@@ -271,16 +213,8 @@ class MainWindow(QMainWindow):
 
     def _retranslate(self) -> None:
         self.setWindowTitle("CalRig")
-        self._menu_button.setText(self.tr("View"))
-        names = {
-            "light": self.tr("Light"),
-            "dark": self.tr("Dark"),
-            "system": self.tr("As the system"),
-        }
-        for look, action in self._look_actions.items():
-            action.setText(names[look])
-        self._sound.setText(self.tr("Sounds"))
-        self._keys.setText(self.tr("Keys"))
+        self._menu_button.setText(self.tr("Menu"))
+        self._menu_button.setToolTip(self.tr("Look, sounds, keys, preferences (F10)"))
         self._dock.setWindowTitle(self.tr("Simulated rig"))
         self._adc.setWindowTitle(self.tr("View ADC Data"))
         self._stop.setText(self.tr("Stop Device"))

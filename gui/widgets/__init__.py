@@ -62,6 +62,7 @@ Others
 
 ================  ==================================================================
 log_drawer        what happened since the start
+window_menu       where to go, look, sounds, help
 sound             start tick, done, error
 override_guard    a Python error in a method that Qt calls does not end the program
 screenshots       pictures of widgets for the documentation

@@ -81,8 +81,8 @@ def test_every_tab_of_the_table_is_there_and_can_be_walked(open_app: Callable[[]
 
 def test_look_sound_and_settings_are_remembered(open_app: Callable[[], Driver]):
     first = open_app()
-    first.app.window._look_actions["dark"].trigger()
-    first.app.window._sound.setChecked(False)
+    first.app.window.menu.looks["dark"].trigger()
+    first.app.window.menu.volumes["off"].trigger()
     panel = first.tab.view.settings
     panel._g.setValue(9.8155)
     assert first.tab.sitting.settings.g_mps2 == 9.8155
@@ -91,7 +91,7 @@ def test_look_sound_and_settings_are_remembered(open_app: Callable[[], Driver]):
     assert current_theme().name == "dark"
     assert second.app.sounds.volume == 0.0
     assert second.tab.sitting.settings.g_mps2 == 9.8155
-    second.app.window._look_actions["light"].trigger()
+    second.app.window.menu.looks["light"].trigger()
     assert current_theme().name == "light"
 
 
