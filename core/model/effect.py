@@ -119,6 +119,8 @@ class Effect(ABC):
     remedy : what to do about it
     confused_with : identifiers of effects that look alike in some plans
     typical : usual size of its first parameter, by kind of sensor
+    instant : it depends on what acts at the moment alone, so that a rig can play it
+    timed : it changes with time alone
     log_odds : what speaks for it before the outputs are looked at, natural logarithm
     """
 
@@ -136,6 +138,8 @@ class Effect(ABC):
     remedy: str = ""
     confused_with: tuple[str, ...] = ()
     typical: dict[str, float] = {}  # noqa: RUF012
+    instant: bool = True
+    timed: bool = False
     log_odds: float = 0.0
 
     @abstractmethod
@@ -150,6 +154,18 @@ class Effect(ABC):
     def shape(self) -> tuple[tuple[Parameter, float], ...]:
         """What this instance is fixed at: time constant, level, row, run..."""
         return ()
+
+    def shaped(self, *values: float) -> "Effect":
+        """The instance of this shape.
+
+        Raises
+        ------
+        ValueError
+            It has another number of shape values.
+        """
+        if len(values) != len(self.shape):
+            raise ValueError(f"{self.id} has {len(self.shape)} shape values, not {len(values)}")
+        return type(self)(*values) if values else self
 
     def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple["Effect", ...]:
         """The places and shapes that these rows could show; this one alone where it has none."""

@@ -23,6 +23,7 @@ from drivers.virtual.noise import Lag
 _AXES = ("x", "y", "z")
 _RING_S = 0.15
 _STILL = 1e-3
+_REFERENCE_C = 27.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -247,6 +248,8 @@ class Bench:
             "t_s": t,
             "order": np.full(len(t), float(self._moves)),
             "run": np.zeros(len(t)),
+            "start_s": np.zeros(len(t)),
+            "reference_c": np.full(len(t), _REFERENCE_C),
             **{f"north_{axis}": north[:, k] for k, axis in enumerate(_AXES)},
         }
         w = w + table[:, None] * dw_drate

@@ -11,7 +11,7 @@ import numpy as np
 
 from core.arrays import FloatArray, frozen
 from core.model.catalogue.listing import CATALOGUE
-from core.model.effect import Sensor
+from core.model.effect import AXES, Sensor
 from core.model.sensor_model import SensorModel
 from drivers.virtual.noise import NoiseLevel
 
@@ -60,16 +60,33 @@ class Output:
             There is no such effect, or it has another number of parameters.
         """
         effect = CATALOGUE.get(effect_id)
+        playable = sorted(name for name, each in CATALOGUE.items() if each.instant)
         if effect is None:
-            raise ValueError(f"no effect {effect_id!r}; there are {', '.join(sorted(CATALOGUE))}")
+            raise ValueError(f"no effect {effect_id!r}; there are {', '.join(playable)}")
+        if not effect.instant:
+            raise ValueError(f"effect {effect_id} acts between rows; a rig plays what acts at once")
         wanted = effect.parameters(self.model.sensor)
-        if len(values) != len(wanted):
-            names = ", ".join(f"{p.name} [{p.unit}]" for p in wanted)
+        shape = tuple(parameter for parameter, _ in effect.shape)
+        if len(values) not in (len(wanted), len(wanted) + len(shape)):
+            names = ", ".join(f"{p.name} [{p.unit}]" for p in (*wanted, *shape))
             raise ValueError(f"effect {effect_id} takes {len(wanted)} values ({names})")
+        numbers, given = values[: len(wanted)], values[len(wanted) :]
+        sensor = replace(self.model.sensor, response=self._response())
         return replace(
             self,
-            model=self.model.with_effect(effect),
-            values=frozen([*self.values, *values]),
+            model=replace(self.model, sensor=sensor).with_effect(
+                effect.shaped(*given) if given else effect
+            ),
+            values=frozen([*self.values, *numbers]),
+        )
+
+    def _response(self) -> tuple[float, ...]:
+        """Output per input along the case axes; effects of the rig act through it."""
+        known = dict(zip((p.name for p in self.model.parameters), self.values, strict=True))
+        own = self.model.sensor.axis
+        return tuple(
+            float(known.get("scale_factor" if axis == own else f"cross_axis_{axis}", 0.0))
+            for axis in AXES
         )
 
 
@@ -122,7 +139,11 @@ class Device:
     @property
     def timed(self) -> bool:
         """Whether some output depends on the time alone."""
-        return any("t_s" in effect.needs for o in self.outputs for effect in o.model.effects)
+        return any(
+            effect.timed or "t_s" in effect.needs
+            for o in self.outputs
+            for effect in o.model.effects
+        )
 
     def with_effect(self, key: str, values: tuple[float, ...]) -> "Device":
         """The same with one more effect, in all outputs or, by ``ROLE/identifier``, in one.

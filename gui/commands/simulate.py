@@ -31,7 +31,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="ID=V,V",
-        help="a further effect, or ROLE/ID=V,V for one sensor",
+        help="a further effect by its identifier in the catalogue, or ROLE/ID=V,V for one sensor;"
+        " values of its shape (time constant, level) follow those of its parameters",
     )
     parser.add_argument(
         "--setting-arcsec", type=float, default=5.0, help="scatter of the angles really set (5)"

@@ -21,6 +21,7 @@ class _RowFault(Effect):
     """Something at one row."""
 
     kind = Kind.EVENT
+    instant = False
     tests = ALL
 
     def __init__(self, row: int = 0) -> None:
@@ -105,6 +106,7 @@ class WrongStop(Effect):
     equation = "U(angle + d) - U(angle) at one position"
     needs = ("head_deg", "mount")
     kind = Kind.EVENT
+    instant = False
     tests = HEAD
     sensors = ("accelerometer",)
     shared = True

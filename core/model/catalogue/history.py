@@ -33,6 +33,7 @@ class Hysteresis(Effect):
     plain = "the output depends on whether the input rose or fell before"
     equation = "k * h * sign(x - x_previous)"
     kind = Kind.BLOCK
+    instant = False
     tests = ALL
     needs = ("order",)
     seen_as = "runs with rising and with falling input lie apart"
@@ -79,6 +80,7 @@ class SettlingLag(Effect):
     plain = "a part of the way from the position before is still missing"
     equation = "rho * (U_previous - U)"
     kind = Kind.BLOCK
+    instant = False
     tests = ALL
     needs = ("order",)
     seen_as = "residuals follow the step from the position before"

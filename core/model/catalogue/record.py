@@ -127,9 +127,7 @@ class ThermalLag(_Thermal):
 
     def columns(self, stimulus: Stimulus, sensor: Sensor) -> FloatArray:
         """The lagged temperature from its mean."""
-        warm = lagged(
-            stimulus.column("temperature_c"), _SECONDS_PER_H * hours(stimulus), self._tau
-        )
+        warm = lagged(stimulus.column("temperature_c"), _SECONDS_PER_H * hours(stimulus), self._tau)
         return column(small_gain(sensor) * (warm - warm.mean()))
 
     def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
@@ -335,8 +333,7 @@ class Telegraph(Effect):
     def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
         """Every path; none before the data were looked at."""
         return tuple(
-            Telegraph((path,), (odds,))
-            for path, odds in zip(self._paths, self._odds, strict=True)
+            Telegraph((path,), (odds,)) for path, odds in zip(self._paths, self._odds, strict=True)
         )
 
 

@@ -15,6 +15,7 @@ class _Relabelling(Effect):
     """Rows mean something else than they say; nothing is fitted."""
 
     kind = Kind.RELABEL
+    instant = False
     shared = True
 
     def parameters(self, sensor: Sensor) -> tuple[Parameter, ...]:

@@ -37,6 +37,7 @@ class MountingAngle(Effect):
     equation = "psi * dU/d(head angle) in that mounting"
     needs = ("mount",)
     kind = Kind.BLOCK
+    instant = False
     tests = HEAD
     sensors = ("accelerometer",)
     shared = True
@@ -132,6 +133,7 @@ class RemountBias(Effect):
     equation = "b in that mounting"
     needs = ("mount",)
     kind = Kind.BLOCK
+    instant = False
     tests = STATIC
     seen_as = "an offset of one mounting, whichever way round"
     remedy = "return to the first mounting at the end; torque the screws alike"

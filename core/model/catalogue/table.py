@@ -116,6 +116,7 @@ class Wobble(Effect):
     equation = "b * mean of sin and cos(w t) over the accumulation"
     needs = ("accumulation_s",)
     kind = Kind.BLOCK
+    instant = False
     tests = TABLE
     sensors = ("gyro",)
     seen_as = "residuals at small rates that depend on the length of the accumulation"
@@ -147,6 +148,7 @@ class AmplitudeScaleFactor(Effect):
     equation = "k * s * (A - A0) / A0 * w"
     needs = ("AntiNodeAmplitude",)
     kind = Kind.BLOCK
+    instant = False
     tests = TABLE
     sensors = ("gyro",)
     seen_as = "slope of the characteristic changes with the amplitude"

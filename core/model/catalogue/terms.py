@@ -75,11 +75,20 @@ def column(*columns: FloatArray) -> FloatArray:
 
 
 def hours(stimulus: Stimulus) -> FloatArray:
-    """Time (n,) since the first row, h; one minute a row where no time is known."""
+    """Time (n,) since the first row, h; one minute a row where no time is known.
+
+    A column ``start_s`` names another beginning: blocks of a record have one in common.
+    """
     t = stimulus.columns.get("t_s")
     if t is None or not np.all(np.isfinite(t)):
         return np.arange(len(stimulus)) / 60.0
-    return (t - t[0]) / 3600.0
+    return (t - stimulus.columns.get("start_s", t)[0]) / 3600.0
+
+
+def warmth(stimulus: Stimulus) -> FloatArray:
+    """Temperature (n,) from its mean, or from a column ``reference_c``."""
+    t = stimulus.column("temperature_c")
+    return t - stimulus.columns.get("reference_c", t).mean()
 
 
 def setups(stimulus: Stimulus) -> IntArray:

@@ -17,6 +17,7 @@ from core.model.catalogue.terms import (
     own,
     small_gain,
     small_unit,
+    warmth,
 )
 from core.model.effect import Effect, Kind, Parameter, Sensor
 from core.model.stimulus import Stimulus
@@ -32,6 +33,7 @@ class BiasDrift(Effect):
     plain = "the bias goes steadily with time"
     equation = "D * t"
     kind = Kind.BLOCK
+    timed = True
     tests = (*ALL, *RECORD)
     seen_as = "a straight line against time"
     remedy = "wait until it has settled; repeat the first positions at the end"
@@ -68,8 +70,7 @@ class BiasTemperature(Effect):
 
     def columns(self, stimulus: Stimulus, sensor: Sensor) -> FloatArray:
         """Temperature from its mean."""
-        t = stimulus.column("temperature_c")
-        return column(small_gain(sensor) * (t - t.mean()))
+        return column(small_gain(sensor) * warmth(stimulus))
 
 
 class ScaleFactorTemperature(Effect):
@@ -93,8 +94,7 @@ class ScaleFactorTemperature(Effect):
 
     def columns(self, stimulus: Stimulus, sensor: Sensor) -> FloatArray:
         """Temperature from its mean times the input."""
-        t = stimulus.column("temperature_c")
-        return column(1e-6 * gain(sensor) * (t - t.mean()) * own(stimulus, sensor))
+        return column(1e-6 * gain(sensor) * warmth(stimulus) * own(stimulus, sensor))
 
 
 class WarmUp(Effect):
@@ -110,6 +110,7 @@ class WarmUp(Effect):
     plain = "after switching on the bias settles exponentially"
     equation = "W * exp(-t / tau)"
     kind = Kind.BLOCK
+    timed = True
     tests = (*ALL, *RECORD)
     seen_as = "the first rows lie off and come closer"
     remedy = "switch on earlier; begin when the temperature stands"
@@ -162,6 +163,7 @@ class BiasJump(Effect):
     plain = "the bias jumped once and stayed"
     equation = "J from one row on"
     kind = Kind.EVENT
+    instant = False
     tests = (*ALL, *RECORD)
     seen_as = "a step against time"
     remedy = "repeat the test; look for a knock, a re-start, a change of the supply"
@@ -204,6 +206,7 @@ class RunBias(Effect):
     equation = "b in that run"
     needs = ("run",)
     kind = Kind.BLOCK
+    instant = False
     tests = ALL
     seen_as = "one run lies off"
     remedy = "leave the unit powered between runs; state the turn-on repeatability"
@@ -247,6 +250,7 @@ class RunScaleFactor(Effect):
     equation = "k * s * x in that run"
     needs = ("run",)
     kind = Kind.BLOCK
+    instant = False
     tests = TABLE
     sensors = ("gyro",)
     seen_as = "one run has another slope"
@@ -291,6 +295,7 @@ class Pickup(Effect):
     plain = "something periodic in time is picked up"
     equation = "A * sin(2 pi f t + phase)"
     kind = Kind.BLOCK
+    instant = False
     tests = (*ALL, *RECORD)
     seen_as = "a sine against time"
     remedy = "look for mains and motors; reverse a run, which tells it from an error of the head"
