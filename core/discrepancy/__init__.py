@@ -4,8 +4,21 @@ The ladder is immutable: `Ladder.of(run, settings)` is the plain model, `ladder.
 steps that the search finds, `ladder.with_effect(identifier)` has one more, `ladder.without_last()`
 one less; each has its `explanation`. `explain(run, settings)` is the explanation of what is found.
 
-result
-    `Explanation` and its parts.
-to_json
-    The form that ``calrig explain --json`` gives.
-"""
+ladder
+    `Ladder`, `explain`.
+result, to_json
+    `Explanation` and its parts; the form that ``calrig explain --json`` gives.
+settings
+    What the operator may choose, and what is taken where nothing is stated.
+problem, smooth
+    A run with its plain model; regressors without their rounding.
+components, reml, floor
+    Parts of the noise, their sizes from replicates, the noise floor.
+space, evidence, bank, curves, relabels, slots
+    Whitened residual space; evidence; all effects, unknown curves, relabelled rows in it; states.
+search, engine, sets
+    Names compete; the rounds of a search and its threshold; what cannot be told apart.
+gaps, locate, power, steps, verdict
+    How far, where, what could have been seen, rungs with their numbers, the verdict in words.
+followups, advise
+    What to measure next.
