@@ -22,3 +22,4 @@ gaps, locate, power, steps, verdict
     How far, where, what could have been seen, rungs with their numbers, the verdict in words.
 followups, advise
     What to measure next.
+"""
