@@ -1,16 +1,22 @@
 """What one certificate states (ISO/IEC 17025:2017, 7.8.2, 7.8.4, 7.8.6), and its JSON twin."""
 
-import json
 from dataclasses import dataclass, field, fields
+from itertools import pairwise
 
 import numpy as np
 
-from core.certificates.laboratory import Laboratory, laboratory_of_json, laboratory_to_json
-from core.certificates.limits import Conformity, Judged
-from core.procedures.calibration import Calibration
-from core.procedures.conformity import Verdict
-from core.records.calibration_json import calibration_text, parse_calibration
-from core.records.json_fields import Fields, Json, dump, load_document, number_to_json
+from core.certificates.conformity_json import conformity_of_json, conformity_to_json
+from core.certificates.laboratory import (
+    Laboratory,
+    day_of,
+    laboratory_of_json,
+    laboratory_to_json,
+    standard_doubts,
+)
+from core.certificates.limits import Conformity
+from core.certificates.measured import Measured, measured_of_json, measured_to_json
+from core.errors import Note, Severity
+from core.records.json_fields import Json, dump, load_document, number_to_json
 
 SCHEMA, VERSION = "calrig-certificate", 1
 
@@ -27,6 +33,8 @@ class Order:
     received, calibrated, issued : ISO dates; empty where unknown
     before : what was found before an adjustment, or that nothing was adjusted
     remarks : deviations from the method, opinions
+    replaces : number of the certificate that this one replaces (7.8.8); empty for none
+    change : what was changed in it, and why
     """
 
     customer: str = ""
@@ -40,6 +48,12 @@ class Order:
     issued: str = ""
     before: str = ""
     remarks: str = ""
+    replaces: str = ""
+    change: str = ""
+
+
+DATES = ("received", "calibrated", "issued")
+"""Fields of an `Order` that are dates, in the order that they must have."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,35 +80,58 @@ class Certificate:
     number : unique in the laboratory
     laboratory : as it was on the day of issue
     order : customer and item
+    measured : the results with their uncertainties
     surroundings : ambient conditions
-    calibration : the results with their uncertainties
     conformity : the statement of conformity; None without limits
     """
 
     number: str
     laboratory: Laboratory
     order: Order
-    calibration: Calibration
+    measured: Measured
     surroundings: Surroundings = field(default_factory=Surroundings)
     conformity: Conformity | None = None
 
     def missing(self) -> tuple[str, ...]:
         """What the standard asks for and is not stated, in words."""
+        order, air = self.order, self.surroundings
         asked = {
-            "customer": self.order.customer,
-            "serial number of the item": self.order.serial,
-            "date of calibration": self.order.calibrated,
-            "date of issue": self.order.issued,
+            "customer": order.customer,
+            "contact of the customer": order.contact,
+            "item": order.item,
+            "serial number of the item": order.serial,
+            "condition of the item": order.condition,
+            "date of calibration": order.calibrated,
+            "date of issue": order.issued,
+            "ambient temperature": np.isfinite(air.temperature_c),
+            "results": self.measured.printed,
+            "uncertainty of the results": self.measured.coverage,
+            "what was changed, and why": order.change or not order.replaces,
         }
         return (
             *self.laboratory.missing(),
             *(words for words, value in asked.items() if not value),
         )
 
+    def doubts(self) -> tuple[Note, ...]:
+        """What is stated and cannot be right: dates, standards that were not valid."""
+        order = self.order
+        notes: list[Note] = []
+        told = [(name, getattr(order, name)) for name in DATES if getattr(order, name)]
+        for name, text in told:
+            if day_of(text) is None:
+                words = f'{name}: "{text}" is no date; write it as 2026-03-31'
+                notes.append(Note(Severity.WARNING, "date", words))
+        days = [(name, text, day) for name, text in told if (day := day_of(text)) is not None]
+        for (name, text, day), (later, other, after) in pairwise(days):
+            if after < day:
+                words = f"{later} on {other}, before it was {name} on {text}"
+                notes.append(Note(Severity.WARNING, "date", words))
+        return (*notes, *standard_doubts(self.laboratory, order.calibrated or order.issued))
+
 
 def certificate_text(certificate: Certificate) -> str:
     """The JSON text of a certificate."""
-    conformity = certificate.conformity
     document: dict[str, Json] = {
         "schema": SCHEMA,
         "schema_version": VERSION,
@@ -105,14 +142,8 @@ def certificate_text(certificate: Certificate) -> str:
             item.name: number_to_json(getattr(certificate.surroundings, item.name))
             for item in fields(Surroundings)
         },
-        "calibration": json.loads(calibration_text(certificate.calibration)),
-        "conformity": None
-        if conformity is None
-        else {
-            "rule": conformity.rule,
-            "verdict": conformity.verdict.value,
-            "judged": [_judged_to_json(one) for one in conformity.judged],
-        },
+        "conformity": conformity_to_json(certificate.conformity),
+        "measured": measured_to_json(certificate.measured),
     }
     return dump(document) + "\n"
 
@@ -127,56 +158,13 @@ def parse_certificate(text: str, path: str) -> Certificate:
     """
     document = load_document(text, path, SCHEMA, VERSION)
     order, surroundings = document.object("order"), document.object("surroundings")
-    calibration = json.dumps(document.object("calibration").data)
     return Certificate(
         number=document.text("number"),
         laboratory=laboratory_of_json(document.object("laboratory")),
         order=Order(**{item.name: order.text(item.name) for item in fields(Order)}),
-        calibration=parse_calibration(calibration, path),
+        measured=measured_of_json(document.object("measured")),
         surroundings=Surroundings(
             **{item.name: surroundings.number(item.name) for item in fields(Surroundings)}
         ),
-        conformity=_conformity(document),
+        conformity=conformity_of_json(document),
     )
-
-
-def _judged_to_json(one: Judged) -> Json:
-    return {
-        "channel": one.channel,
-        "symbol": one.symbol,
-        "unit": one.unit,
-        "deviation": number_to_json(one.deviation),
-        "expanded": number_to_json(one.expanded),
-        "limit": number_to_json(one.limit),
-        "verdict": one.verdict.value,
-    }
-
-
-def _conformity(document: Fields) -> Conformity | None:
-    if document.data.get("conformity", 0) is None:
-        return None
-    found = document.object("conformity")
-    return Conformity(
-        found.text("rule"),
-        tuple(
-            Judged(
-                one.text("channel"),
-                one.text("symbol"),
-                one.text("unit"),
-                one.number("deviation"),
-                one.number("expanded"),
-                one.number("limit"),
-                _verdict(one),
-            )
-            for one in found.objects("judged")
-        ),
-        _verdict(found),
-    )
-
-
-def _verdict(found: Fields) -> Verdict:
-    word = found.text("verdict")
-    try:
-        return Verdict(word)
-    except ValueError:
-        raise found.wrong("verdict", "pass, fail or undecided", word) from None

@@ -1,9 +1,10 @@
 """The laboratory: what does not change from one certificate to the next."""
 
 from dataclasses import dataclass, fields
+from datetime import date
 from pathlib import Path
 
-from core.errors import FormatError
+from core.errors import FormatError, Note, Severity
 from core.records.atomic import write_text_atomic
 from core.records.json_fields import Fields, Json, dump, load_document
 from core.records.text import decode, read_bytes
@@ -86,6 +87,37 @@ class Laboratory:
         if number == other:
             raise FormatError(FILE, f"the pattern {self.number!r} has no {{n}}")
         return number
+
+
+def day_of(text: str) -> date | None:
+    """The day of an ISO date; None where the text is none."""
+    try:
+        return date.fromisoformat(text.strip())
+    except ValueError:
+        return None
+
+
+def standard_doubts(laboratory: Laboratory, when: str) -> tuple[Note, ...]:
+    """Standards whose certificates were not valid on a day, or are not told to be.
+
+    Parameters
+    ----------
+    when : ISO date of the calibration; nothing is judged where it is none
+    """
+    day = day_of(when)
+    notes: list[Note] = []
+    for standard in laboratory.standards:
+        until = day_of(standard.valid_until)
+        if standard.valid_until and until is None:
+            words = f'{standard.name}: "{standard.valid_until}" is no date; write it as 2026-03-31'
+        elif until is not None and day is not None and until < day:
+            words = f"{standard.name}: its certificate was valid until {until}, not on {day}"
+        elif not standard.certificate:
+            words = f"{standard.name}: no certificate is named, so that nothing can be traced"
+        else:
+            continue
+        notes.append(Note(Severity.WARNING, "standard", words))
+    return tuple(notes)
 
 
 _TEXTS = tuple(item.name for item in fields(Laboratory) if item.name != "standards")

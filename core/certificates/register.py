@@ -7,18 +7,49 @@ already: two programs, or two rigs on one network folder, cannot give the same n
 import os
 import uuid
 from collections.abc import Callable
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import BinaryIO
 
 from core.certificates.certificate import Certificate, certificate_text, parse_certificate
 from core.certificates.laboratory import Laboratory
-from core.errors import StorageError
+from core.errors import FormatError, StorageError
 from core.records.atomic import sync_folder
+from core.records.json_fields import dump, load_document
 from core.records.names import safe_name
 from core.records.text import decode, read_bytes
 
 _MAX_BYTES = 64 * 2**20
 _ATTEMPTS = 1000
+_WITHDRAWAL, _WITHDRAWAL_VERSION = "calrig-withdrawal", 1
+_TWIN, _ENDED = "certificate_", ".withdrawn.json"
+
+
+@dataclass(frozen=True, slots=True)
+class Issued:
+    """A line of the register.
+
+    Parameters
+    ----------
+    path : the JSON twin
+    number, serial, item, customer, issued : as stated
+    verdict : ``"pass"``, ``"fail"``, ``"undecided"``; empty without a statement of conformity
+    replaces, replaced_by : numbers of other certificates; empty for none
+    withdrawn : day and reason; empty while it holds
+    damage : why it cannot be read; empty if it can
+    """
+
+    path: Path
+    number: str
+    serial: str = ""
+    item: str = ""
+    customer: str = ""
+    issued: str = ""
+    verdict: str = ""
+    replaces: str = ""
+    replaced_by: str = ""
+    withdrawn: str = ""
+    damage: str = ""
 
 
 class Register:
@@ -86,7 +117,7 @@ class Register:
 
     def path(self, number: str) -> Path:
         """Where the twin of a certificate lies."""
-        return self.folder / f"certificate_{safe_name(number)}.json"
+        return self.folder / f"{_TWIN}{safe_name(number)}.json"
 
     def read(self, path: Path) -> Certificate:
         """Read a twin.
@@ -97,6 +128,79 @@ class Register:
             It is none, is damaged, or from a newer program.
         """
         return parse_certificate(decode(read_bytes(path, max_bytes=_MAX_BYTES), path), str(path))
+
+    def withdraw(self, number: str, day: str, reason: str) -> Path:
+        """State that a certificate holds no longer; the twin stays as it is.
+
+        Parameters
+        ----------
+        number : of the certificate
+        day : ISO date
+        reason : in words
+
+        Raises
+        ------
+        StorageError
+            There is no such certificate, it was withdrawn before, or nothing can be written.
+        """
+        twin = self.path(number)
+        if not twin.exists():
+            raise StorageError(f"{twin}: there is no such certificate")
+        path = twin.with_suffix(_ENDED)
+        text = dump(
+            {
+                "schema": _WITHDRAWAL,
+                "schema_version": _WITHDRAWAL_VERSION,
+                "number": number,
+                "day": day,
+                "reason": reason,
+            }
+        )
+        try:
+            _write_new(path, text + "\n")
+        except FileExistsError as error:
+            raise StorageError(f"{path}: the certificate was withdrawn before") from error
+        except OSError as error:
+            raise StorageError(f"{path}: cannot be written ({error.strerror})") from error
+        return path
+
+    def entries(self) -> tuple[Issued, ...]:
+        """Every certificate of the folder, the newest number first; damaged ones say why."""
+        twins = [
+            path for path in self.folder.glob(f"{_TWIN}*.json") if not path.name.endswith(_ENDED)
+        ]
+        found = [self._entry(path) for path in twins]
+        after = {one.replaces: one.number for one in found if one.replaces}
+        lines = [replace(one, replaced_by=after.get(one.number, "")) for one in found]
+        return tuple(sorted(lines, key=lambda one: (one.issued, one.number), reverse=True))
+
+    def _entry(self, path: Path) -> Issued:
+        try:
+            certificate = self.read(path)
+            withdrawn = _withdrawal(path.with_suffix(_ENDED))
+        except FormatError as error:
+            return Issued(path, path.stem.removeprefix(_TWIN), damage=str(error))
+        order, conformity = certificate.order, certificate.conformity
+        return Issued(
+            path,
+            certificate.number,
+            order.serial,
+            " ".join(filter(None, (order.item, order.model))),
+            order.customer,
+            order.issued,
+            "" if conformity is None else conformity.verdict.value,
+            order.replaces,
+            withdrawn=withdrawn,
+        )
+
+
+def _withdrawal(path: Path) -> str:
+    """Day and reason of a withdrawal; empty where there is none."""
+    if not path.exists():
+        return ""
+    text = decode(read_bytes(path, max_bytes=_MAX_BYTES), path)
+    found = load_document(text, path, _WITHDRAWAL, _WITHDRAWAL_VERSION)
+    return f"{found.text('day')}: {found.text('reason')}"
 
 
 def _write_new(path: Path, text: str) -> None:

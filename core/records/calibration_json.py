@@ -73,7 +73,7 @@ def calibration_text(calibration: Calibration) -> str:
             item.name: number_to_json(getattr(calibration.conditions, item.name))
             for item in fields(Conditions)
         },
-        "provenance": _provenance_to_json(calibration.provenance),
+        "provenance": provenance_to_json(calibration.provenance),
         "channels": [
             {"name": name, "axis": axis, "fit": _fit_to_json(fit)}
             for name, axis, fit in zip(
@@ -118,7 +118,7 @@ def parse_calibration(text: str, path: str) -> Calibration:
         ),
         temperature_c=document.number("temperature_c"),
         notes=document.notes("notes"),
-        provenance=_provenance(document.object("provenance")),
+        provenance=provenance_of_json(document.object("provenance")),
     )
 
 
@@ -144,13 +144,21 @@ def _axis(channel: Fields) -> str:
     return axis
 
 
-def _provenance_to_json(provenance: Provenance) -> Json:
+def provenance_to_json(provenance: Provenance) -> Json:
+    """Where a result comes from, as a JSON object."""
     document: dict[str, Json] = {name: getattr(provenance, name) for name in _TEXTS}
     document["records"] = [{"name": name, "sha256": sha} for name, sha in provenance.records]
     return document
 
 
-def _provenance(found: Fields) -> Provenance:
+def provenance_of_json(found: Fields) -> Provenance:
+    """Where a result comes from, of a JSON object.
+
+    Raises
+    ------
+    FormatError
+        A member is missing or is no text.
+    """
     records = tuple(
         (record.text("name"), record.text("sha256")) for record in found.objects("records")
     )

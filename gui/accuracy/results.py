@@ -6,9 +6,11 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject
 
+from core.certificates.measured import Measured
 from core.errors import Note, Severity, StorageError
 from core.procedures.accuracy_plan import angles_of_text
 from core.records.session.record import SessionRecord
+from gui.accuracy.certified import measured_of_check
 from gui.accuracy.checking import Checked, CheckRequest, check_file, check_run
 from gui.accuracy.page import AccuracyPage, page_of
 from gui.accuracy.settings import AccuracySettings
@@ -55,6 +57,11 @@ class AccuracyResults(Results):
     def can_process_again(self) -> bool:
         """Whether a loaded run is there."""
         return self._loaded is not None
+
+    @property
+    def measured(self) -> Measured | None:
+        """The check on the page; None while there is nothing."""
+        return None if self.state is None else measured_of_check(self.state)
 
     def clear(self) -> None:
         """Close the page."""

@@ -2,6 +2,7 @@
 
 import base64
 import math
+from collections.abc import Iterable
 from html import escape
 from pathlib import Path
 
@@ -10,68 +11,62 @@ from PySide6.QtCore import QCoreApplication
 from core.certificates.certificate import Certificate
 from core.certificates.laboratory import Laboratory
 from core.certificates.limits import Conformity
-from core.fit.quantiles import student_t
+from core.certificates.measured import Measured, Printed
+from core.procedures.calibration import Provenance
 from core.procedures.conformity import Verdict
-from gui.certificate.parts import part_html, table_html
-from gui.measuring.page import ResultsPage
+from gui.certificate.parts import part_html, plain, table_html
+from gui.measuring.printed import parts_of
 from gui.widgets.number_text import fixed, value_and_uncertainty
 from gui.widgets.states import TableState
 
-_LEVEL = 0.95
 STYLE = """
-body { font-family: 'DejaVu Sans', sans-serif; font-size: 9pt; color: #000; background: #fff; }
-h1 { font-size: 17pt; text-align: center; margin: 8px 0 2px 0; }
-h2 { font-size: 12pt; margin: 14px 0 4px 0; }
-h3 { font-size: 10pt; margin: 10px 0 3px 0; }
-table.grid { border-collapse: collapse; }
+body { font-family: 'DejaVu Sans', sans-serif; font-size: 12px; color: #000; background: #fff; }
+h1 { font-size: 22px; text-align: center; margin: 8px 0 2px 0; }
+h2 { font-size: 16px; margin: 12px 0 4px 0; }
+h3 { font-size: 13px; margin: 8px 0 3px 0; }
+p { margin: 4px 0 4px 0; }
+table.grid { border-collapse: collapse; border-color: #999; }
 th { background: #eee; }
 @media print { @page { size: A4; margin: 18mm; } }
 """
 _KINDS = {".png": "png", ".jpg": "jpeg", ".jpeg": "jpeg", ".svg": "svg+xml"}
 
 
+def results_html(printed: Iterable[Printed]) -> tuple[str, ...]:
+    """The results in pieces; drawing their pictures takes time, so that it is done once.
+
+    Raises
+    ------
+    FormatError
+        A part is of no known kind.
+    """
+    return tuple(piece for part in parts_of(printed) for piece in part_html(part))
+
+
 def certificate_sections(
-    certificate: Certificate, page: ResultsPage, folder: Path
+    certificate: Certificate, results: tuple[str, ...], folder: Path
 ) -> tuple[str, ...]:
-    """Return the certificate in pieces, none of which should be cut by the end of a page.
+    """Return the certificate in pieces, which the end of a page cuts only between lines or rows.
 
     Parameters
     ----------
     certificate : what is stated
-    page : the results as they stand on the screen
+    results : its results, of `results_html`
     folder : of the laboratory's file, which a relative logo belongs to
     """
     laboratory, order = certificate.laboratory, certificate.order
-    first, *others = [part_html(part) for part in page.parts] or [""]
+    first, *others = results or ("",)
     pieces = (
-        _head(laboratory, folder)
-        + f"<h1>{_t('CALIBRATION CERTIFICATE')}</h1>"
-        + f'<p align="center"><b>{_t("No.")} {escape(certificate.number)}</b></p>'
-        + _facts(
-            {
-                _t("Customer"): " — ".join(filter(None, (order.customer, order.contact))),
-                _t("Item"): " ".join(filter(None, (order.item, order.model))),
-                _t("Serial number"): order.serial,
-                _t("Condition of the item"): order.condition,
-                _t("Received"): order.received,
-                _t("Calibrated"): order.calibrated,
-                _t("Issued"): order.issued,
-                _t("Place"): laboratory.place or laboratory.address,
-            }
-        ),
-        f"<h2>{_t('Method')}</h2>" + _method(certificate),
+        _head(laboratory, folder) + _title(certificate) + _subject(certificate),
+        f"<h2>{_t('Method')}</h2>" + _method(certificate.measured.provenance),
         f"<h2>{_t('Conditions')}</h2>" + _conditions(certificate),
         _standards(laboratory),
         f"<h2>{_t('Results')}</h2>" + first,
         *others,
-        _uncertainty(certificate),
+        _uncertainty(certificate.measured),
         "" if certificate.conformity is None else _conformity(certificate.conformity),
         _facts({_t("Before adjustment"): order.before, _t("Remarks"): order.remarks}),
-        f"<p>{_t('The results relate only to the item calibrated.')} "
-        f"{_t('The certificate may be reproduced only in full.')}</p>"
-        + (f"<p>{escape(laboratory.statement)}</p>" if laboratory.statement else "")
-        + _signature(laboratory, order.issued)
-        + f'<p align="center">— {_t("End of the certificate")} {escape(certificate.number)} —</p>',
+        _end(certificate),
     )
     return tuple(filter(None, pieces))
 
@@ -88,6 +83,46 @@ def whole_html(sections: tuple[str, ...], title: str) -> str:
 def certificate_title(certificate: Certificate) -> str:
     """What stands at the foot of every page."""
     return f"{_t('Calibration certificate')} {certificate.number}"
+
+
+def _title(certificate: Certificate) -> str:
+    order = certificate.order
+    replaced = ""
+    if order.replaces:
+        words = _t("Replaces certificate No. {number}, which holds no longer.")
+        replaced = f'<p align="center">{escape(words.format(number=order.replaces))}</p>'
+    return (
+        f"<h1>{_t('CALIBRATION CERTIFICATE')}</h1>"
+        f'<p align="center"><b>{_t("No.")} {escape(certificate.number)}</b></p>{replaced}'
+    )
+
+
+def _subject(certificate: Certificate) -> str:
+    laboratory, order = certificate.laboratory, certificate.order
+    return _facts(
+        {
+            _t("Customer"): ", ".join(filter(None, (order.customer, order.contact))),
+            _t("Item"): " ".join(filter(None, (order.item, order.model))),
+            _t("Serial number"): order.serial,
+            _t("Condition of the item"): order.condition,
+            _t("Received"): order.received,
+            _t("Calibrated"): order.calibrated,
+            _t("Issued"): order.issued,
+            _t("Place"): laboratory.place or laboratory.address,
+            _t("What was changed"): order.change,
+        }
+    )
+
+
+def _end(certificate: Certificate) -> str:
+    laboratory = certificate.laboratory
+    return (
+        f"<p>{_t('The results relate only to the item calibrated.')} "
+        f"{_t('The certificate may be reproduced only in full.')}</p>"
+        + (f"<p>{_lines(laboratory.statement)}</p>" if laboratory.statement else "")
+        + _signature(laboratory, certificate.order.issued)
+        + f'<p align="center">— {_t("End of the certificate")} {escape(certificate.number)} —</p>'
+    )
 
 
 def _head(laboratory: Laboratory, folder: Path) -> str:
@@ -115,8 +150,7 @@ def _logo(laboratory: Laboratory, folder: Path) -> str:
     return f'<img height="60" alt="" src="data:image/{kind};base64,{data}"/>'
 
 
-def _method(certificate: Certificate) -> str:
-    origin = certificate.calibration.provenance
+def _method(origin: Provenance) -> str:
     records = "; ".join(f"{name} (SHA-256 {sha[:16]}…)" for name, sha in origin.records)
     return _facts(
         {
@@ -130,7 +164,7 @@ def _method(certificate: Certificate) -> str:
 
 
 def _conditions(certificate: Certificate) -> str:
-    stated, air = certificate.calibration.conditions, certificate.surroundings
+    stated, air = certificate.measured.conditions, certificate.surroundings
     gravity = ""
     if stated.g_mps2 > 0:
         value, u = value_and_uncertainty(stated.g_mps2, 2.0 * stated.u_g_mps2)
@@ -141,9 +175,7 @@ def _conditions(certificate: Certificate) -> str:
             _t("Relative humidity"): _quantity(air.humidity_percent, 0, "%"),
             _t("Air pressure"): _quantity(air.pressure_hpa, 0, "hPa"),
             _t("Supply of the item"): _quantity(air.supply_v, 2, "V"),
-            _t("Temperature of the item"): _quantity(
-                certificate.calibration.temperature_c, 1, "°C"
-            ),
+            _t("Temperature of the item"): _quantity(certificate.measured.temperature_c, 1, "°C"),
             _t("Local gravity g"): gravity,
             _t("Latitude"): _quantity(stated.latitude_deg, 4, "°"),
             _t("Standard uncertainty of a head setting"): _quantity(stated.head_u_arcsec, 1, "″"),
@@ -179,24 +211,26 @@ def _standards(laboratory: Laboratory) -> str:
     )
 
 
-def _uncertainty(certificate: Certificate) -> str:
-    factors = [
-        student_t(_LEVEL, float(dof))
-        for fit in certificate.calibration.fits
-        for dof in fit.t_dof
-        if dof > 0
-    ]
-    if not factors:
+def _uncertainty(measured: Measured) -> str:
+    if not measured.coverage:
         words = _t("The positions leave no degree of freedom: no uncertainty can be stated.")
         return f"<p>{escape(words)}</p>"
-    low, high = fixed(min(factors), 2), fixed(max(factors), 2)
-    span = f"k = {low}" if low == high else f"k = {low} … {high}"
-    words = _t(
-        "The stated uncertainty is the expanded uncertainty U: the standard uncertainty times the"
-        " coverage factor {span}, Student's t for the effective degrees of freedom of each result,"
-        " for a coverage probability of 95 %."
-    ).format(span=span)
-    return f"<p>{escape(words)}</p>"
+    low, high = fixed(min(measured.coverage), 2), fixed(max(measured.coverage), 2)
+    span = f"k\u00a0=\u00a0{low}" if low == high else f"k\u00a0=\u00a0{low}\u00a0…\u00a0{high}"
+    words = (
+        _t(
+            "The stated uncertainty is the expanded uncertainty U: the standard uncertainty times"
+            " the coverage factor {span}, for a normal distribution and a coverage probability of"
+            " 95 %."
+        )
+        if measured.calibration is None
+        else _t(
+            "The stated uncertainty is the expanded uncertainty U: the standard uncertainty times"
+            " the coverage factor {span}, Student's t for the effective degrees of freedom of each"
+            " result, for a coverage probability of 95 %."
+        )
+    )
+    return f"<p>{escape(words.format(span=span))}</p>"
 
 
 def _conformity(conformity: Conformity) -> str:
@@ -206,7 +240,7 @@ def _conformity(conformity: Conformity) -> str:
             one.symbol,
             verdict_words(one.verdict),
             *value_and_uncertainty(one.deviation, one.expanded),
-            f"± {one.limit:.6g}",
+            plain(one.limit),
             one.unit.replace("^2", "²"),
         )
         for one in conformity.judged
@@ -217,7 +251,7 @@ def _conformity(conformity: Conformity) -> str:
         _t("Verdict"),
         _t("Deviation"),
         _t("± U (95 %)"),
-        _t("Limit"),
+        _t("± Limit"),
         _t("Unit"),
     )
     verdict = f"<p><b>{_t('Conformity')}: {verdict_words(conformity.verdict)}</b></p>"
@@ -245,11 +279,16 @@ def _signature(laboratory: Laboratory, issued: str) -> str:
 
 def _facts(facts: dict[str, str]) -> str:
     rows = "".join(
-        f'<tr><td width="200">{escape(name)}</td><td>{escape(text)}</td></tr>'
+        f'<tr><td width="200">{escape(name)}</td><td>{_lines(text)}</td></tr>'
         for name, text in facts.items()
         if text
     )
     return f'<table cellspacing="0" cellpadding="2" width="100%">{rows}</table>' if rows else ""
+
+
+def _lines(text: str) -> str:
+    """Text that keeps the lines in which it was typed."""
+    return escape(text).replace("\n", "<br/>")
 
 
 def _t(text: str) -> str:

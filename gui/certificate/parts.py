@@ -9,53 +9,91 @@ from PySide6.QtGui import QImage, QImageWriter, QPainter
 
 from core.errors import Note, Severity
 from gui.measuring.page import CurveState, Part
+from gui.widgets.number_text import MINUS, aligned
 from gui.widgets.residual_plot import ResidualPlot
 from gui.widgets.states import MatrixState, ResidualState, TableState
 from gui.widgets.theme import paper_look
 
 _SYMBOL = re.compile(r"\b([A-Za-zα-ωΑ-Ω])(?:_([a-z0-9]{1,3})|(0))\b")
+_COLUMNS = 9
+"""So many stand beside each other on a sheet."""
 _PICTURE = QSize(660, 260)
 _SHARP = 3
 """Dots of a picture to one of the screen: 288 dpi on paper."""
 
 
-def part_html(part: Part) -> str:
-    """One part of a page; plots of curves stand in the window alone."""
+def part_html(part: Part) -> tuple[str, ...]:
+    """One part of a page in pieces; a table that is too wide for paper goes on below itself."""
     if isinstance(part, TableState):
-        return table_html(part)
+        return tuple(map(table_html, _narrow(part)))
     if isinstance(part, ResidualState):
-        return residual_html(part)
+        return (residual_html(part),)
     if isinstance(part, Note):
-        return note_html(part)
+        return (note_html(part),)
     if isinstance(part, CurveState):
-        return curve_html(part)
+        return tuple(map(table_html, _narrow(_table_of(part))))
     cells = "".join(f'<td valign="middle">{matrix_html(matrix)}</td>' for matrix in part)
-    return f'<table cellspacing="0" cellpadding="0"><tr>{cells}</tr></table>'
+    return (f'<table cellspacing="0" cellpadding="0"><tr>{cells}</tr></table>',)
 
 
 def table_html(table: TableState) -> str:
-    """A table with its title and equation above; numbers flush right."""
+    """A table with its title and equation above; the points of its numbers stand in one column."""
     head = "".join(
         f'<th align="{"left" if column < table.words else "right"}">{escape(name)}</th>'
         for column, name in enumerate(table.header)
     )
+    columns = [
+        list(texts) if place < table.words else aligned(texts)
+        for place, texts in enumerate(zip(*table.rows, strict=True))
+    ]
     rows = "".join(
         "<tr>"
         + "".join(
             f"<td>{symbols(escape(text))}</td>"
-            if column < table.words
-            else f'<td align="right">{escape(text)}</td>'
-            for column, text in enumerate(row)
+            if place < table.words
+            else f'<td align="right" style="white-space: pre">{escape(text)}</td>'
+            for place, text in enumerate(row)
         )
         + "</tr>"
-        for row in table.rows
+        for row in zip(*columns, strict=True)
     )
+    title = f"<h3>{escape(table.title)}</h3>" if table.title else ""
     equation = f"<p><i>{symbols(escape(table.equation))}</i></p>" if table.equation else ""
     return (
-        f"<h3>{escape(table.title)}</h3>{equation}"
-        f'<table class="grid" border="1" cellspacing="0" cellpadding="4" width="100%">'
-        f"<tr>{head}</tr>{rows}</table>"
+        f'{title}{equation}<table class="grid" border="1" cellspacing="0" cellpadding="3"'
+        f' width="100%"><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>'
     )
+
+
+def _narrow(table: TableState) -> tuple[TableState, ...]:
+    """The table in as many as its columns need, the columns of words repeated in each."""
+    numbers = len(table.header) - table.words
+    most = max(1, _COLUMNS - table.words)
+    if numbers <= most:
+        return (table,)
+    pieces: list[TableState] = []
+    count = -(-numbers // most)
+    for piece in range(count):
+        chosen = [
+            *range(table.words),
+            *range(
+                table.words + numbers * piece // count, table.words + numbers * (piece + 1) // count
+            ),
+        ]
+        title = table.title
+        if piece:
+            words = QCoreApplication.translate("Certificate", "{title}, further columns")
+            title = words.format(title=table.title)
+        pieces.append(
+            TableState(
+                title,
+                "" if piece else table.equation,
+                tuple(table.header[place] for place in chosen),
+                tuple(tuple(row[place] for place in chosen) for row in table.rows),
+                table.words,
+            )
+        )
+    return tuple(pieces)
 
 
 def matrix_html(matrix: MatrixState) -> str:
@@ -93,15 +131,24 @@ def residual_html(state: ResidualState) -> str:
     return f"<h3>{escape(title)}</h3>{_picture(plot)}"
 
 
-def curve_html(state: CurveState) -> str:
+def _table_of(state: CurveState) -> TableState:
     """The points of a curve as a table: paper is read by digits."""
     header = (state.x_label, *(name for name, *_ in state.series))
     places = sorted({x for _, xs, *_ in state.series for x in xs})
     values = [dict(zip(xs, ys, strict=True)) for _, xs, ys, _ in state.series]
     rows = tuple(
-        (f"{x:.6g}", *(f"{found[x]:.6g}" if x in found else "" for found in values)) for x in places
+        (
+            plain(x),
+            *(plain(found[x]) if x in found else "" for found in values),
+        )
+        for x in places
     )
-    return table_html(TableState(f"{state.title}, {state.y_label}", "", header, rows, 0))
+    return TableState(f"{state.title}, {state.y_label}", "", header, rows, 0)
+
+
+def plain(value: float) -> str:
+    """A number that was set, without digits that nobody stated."""
+    return f"{value:.6g}".replace("-", MINUS)
 
 
 def note_html(note: Note) -> str:

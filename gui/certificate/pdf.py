@@ -7,6 +7,8 @@ from PySide6.QtCore import QBuffer, QCoreApplication, QIODevice, QMarginsF, QRec
 from PySide6.QtGui import QFont, QPageLayout, QPageSize, QPainter, QPdfWriter, QTextDocument
 
 from core.records.atomic import write_bytes_atomic
+from core.version import SOFTWARE
+from gui.certificate.cutting import Cuts, cuts_of
 from gui.certificate.html import STYLE
 from gui.widgets.theme import FAMILY
 
@@ -23,10 +25,14 @@ _A4 = QPageLayout(
     QMarginsF(_MARGIN_MM, _MARGIN_MM, _MARGIN_MM, _MARGIN_MM),
     QPageLayout.Unit.Millimeter,
 )
+MARGIN = _MARGIN_MM * _DPI / _MM_PER_INCH
+"""White border of a sheet, dots of the layout."""
+_KEPT_WHOLE = 0.4
+"""A section up to this part of a page goes to the next one rather than being cut."""
 
 
 @dataclass(frozen=True, slots=True)
-class _Piece:
+class Piece:
     """What of a section stands on one page.
 
     Parameters
@@ -42,7 +48,7 @@ class _Piece:
 
 
 class Paper:
-    """Sections laid out in pages; a section that fits a page is never cut.
+    """Sections laid out in pages; a long one is cut between lines or rows, its header repeated.
 
     Parameters
     ----------
@@ -54,24 +60,50 @@ class Paper:
         self.foot = foot
         inside = _A4.paintRect(QPageLayout.Unit.Millimeter).size() * (_DPI / _MM_PER_INCH)
         self.width, self.height = inside.width(), inside.height()
-        self.pages: list[list[_Piece]] = [[]]
-        room, top = self.height - _FOOT, 0.0
+        self.pages: list[list[Piece]] = [[]]
+        self._room = self.height - _FOOT
+        self._top = 0.0
         for html in sections:
-            section = self._laid_out(html)
-            height = section.size().height()
-            if top and top + height > room:
-                self.pages.append([])
-                top = 0.0
-            begin = 0.0
-            while begin + room < height:  # longer than a page
-                self.pages[-1].append(_Piece(section, (begin, begin + room), 0.0))
-                self.pages.append([])
-                begin += room
-            self.pages[-1].append(_Piece(section, (begin, height), top))
-            top += height - begin + _GAP
+            self._place(self._laid_out(html))
+
+    def _place(self, section: QTextDocument) -> None:
+        height = section.size().height()
+        cuts: Cuts | None = None
+        if self._top + height > self._room:
+            if self._top and height <= _KEPT_WHOLE * self._room:
+                self._new_page()
+            else:
+                cuts = cuts_of(section)
+        begin = 0.0
+        while cuts is not None:
+            head = cuts.header(begin)
+            free = self._room - self._top - (0.0 if head is None else head[1] - head[0])
+            if height - begin <= free:
+                break
+            end = cuts.last_before(begin, begin + free)
+            if end is None and self._top:
+                self._new_page()
+                continue
+            self._put(section, cuts, (begin, begin + free if end is None else end))
+            begin = begin + free if end is None else end
+            self._new_page()
+        self._put(section, cuts, (begin, height))
+        self._top += _GAP
+
+    def _put(self, section: QTextDocument, cuts: Cuts | None, source: tuple[float, float]) -> None:
+        """Put a piece below what is there, under the header of the table that it goes on with."""
+        head = None if cuts is None else cuts.header(source[0])
+        for one in (head, source):
+            if one is not None:
+                self.pages[-1].append(Piece(section, one, self._top))
+                self._top += one[1] - one[0]
+
+    def _new_page(self) -> None:
+        self.pages.append([])
+        self._top = 0.0
 
     def draw(self, painter: QPainter, number: int) -> None:
-        """Draw a page in dots of 1/96 inch, its upper left corner at the origin."""
+        """Draw a page in dots of 1/96 inch, the corner inside its margins at the origin."""
         for piece in self.pages[number]:
             painter.save()
             begin, end = piece.source
@@ -103,6 +135,7 @@ class Paper:
         buffer.open(QIODevice.OpenModeFlag.WriteOnly)
         writer = QPdfWriter(buffer)
         writer.setTitle(self.foot)
+        writer.setCreator(SOFTWARE)
         writer.setResolution(_DPI * _FINE)
         writer.setPageLayout(_A4)
         painter = QPainter(writer)

@@ -5,11 +5,13 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject
 
+from core.certificates.measured import Measured, measured_of
 from core.records.session.record import SessionRecord
 from core.samples.run import Run
 from gui.dividing_head.processing import HeadResult, of_file, of_run, of_session
 from gui.dividing_head.settings import HeadSettings
 from gui.jobs import Jobs, Work
+from gui.measuring.printed import printed_of
 from gui.measuring.results import Results
 from gui.messages import Messages
 from gui.widgets.states import TableState
@@ -37,6 +39,13 @@ class HeadResults(Results):
     def can_process_again(self) -> bool:
         """Whether a loaded run is there."""
         return self._loaded is not None
+
+    @property
+    def measured(self) -> Measured | None:
+        """The calibration on the page; None while there is nothing."""
+        if self.state is None:
+            return None
+        return measured_of(self.state.calibration, printed_of(self.state.page.parts))
 
     def clear(self) -> None:
         """Close the page."""

@@ -24,6 +24,7 @@ resuming          unfinished sessions
 results           `Results`: Load Data, Process Data
 loading           files of any kind, and what to ask where they leave a choice
 page              the results page as plain data
+printed           its parts as JSON and back, for certificates
 exporting         Export
 live              means and standard deviations of the last second
 graph             Main Graph

@@ -7,6 +7,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
+from core.certificates.measured import Measured
 from core.errors import LabError
 from core.records.session.record import SessionRecord
 from gui.jobs import Jobs, Work
@@ -51,6 +52,11 @@ class Results(QObject):
     @abstractmethod
     def can_process_again(self) -> bool:
         """Whether a loaded run is there."""
+
+    @property
+    @abstractmethod
+    def measured(self) -> Measured | None:
+        """What a certificate is made of; None while there is nothing."""
 
     @abstractmethod
     def process_session(

@@ -6,13 +6,16 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject
 
+from core.certificates.measured import Measured, measured_of
 from core.errors import Severity
 from core.records.session.record import SessionRecord
 from gui.jobs import Jobs
 from gui.jobs import Work as JobWork
+from gui.measuring.printed import printed_of
 from gui.measuring.results import Results
 from gui.messages import Messages
-from gui.rate_table.processing import Measured, RateResult, Work, of_file, of_session
+from gui.rate_table.processing import Measured as MeasuredRun
+from gui.rate_table.processing import RateResult, Work, of_file, of_session
 from gui.rate_table.settings import RateSettings
 from gui.widgets.states import BannerAction, BannerState
 
@@ -34,8 +37,8 @@ class RateResults(Results):
         self, key: str, jobs: Jobs, messages: Messages, parent: QObject | None = None
     ) -> None:
         super().__init__(key, jobs, messages, parent)
-        self._table: Measured | None = None
-        self._head: Measured | None = None
+        self._table: MeasuredRun | None = None
+        self._head: MeasuredRun | None = None
         self._settings = RateSettings()
         self._asking = f"{key} two files"
         self.state: RateResult | None = None
@@ -46,6 +49,13 @@ class RateResults(Results):
     def can_process_again(self) -> bool:
         """Whether a run is there."""
         return self.state is not None
+
+    @property
+    def measured(self) -> Measured | None:
+        """The calibration on the page; None while there is nothing."""
+        if self.state is None:
+            return None
+        return measured_of(self.state.calibration, printed_of(self.state.page.parts))
 
     def clear(self) -> None:
         """Close the page; the runs stay, to be used with the next one."""
@@ -62,7 +72,7 @@ class RateResults(Results):
         def work() -> RateResult:
             run = record.run()
             run = run if rows is None else run.rows(rows)
-            return of_session(record, self._of(Measured(run, record.folder.name), settings))
+            return of_session(record, self._of(MeasuredRun(run, record.folder.name), settings))
 
         self.start(work)
 
@@ -105,7 +115,7 @@ class RateResults(Results):
         else:
             self._messages.clear(self._asking)
 
-    def _of(self, latest: Measured, settings: RateSettings) -> Work:
+    def _of(self, latest: MeasuredRun, settings: RateSettings) -> Work:
         return Work(latest, self._table, self._head, settings)
 
     def _on_answer(self, source: str, key: str) -> None:

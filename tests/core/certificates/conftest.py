@@ -5,10 +5,13 @@ import pytest
 
 from core.certificates.certificate import Certificate, Order, Surroundings
 from core.certificates.laboratory import Laboratory, Standard
+from core.certificates.measured import measured_of
 from core.plans.plan import load_plans
 from core.procedures.calibration import Calibration
 from core.procedures.dividing_head import calibrate
 from core.samples.run import Conditions, Run
+
+PRINTED = ({"kind": "note", "severity": "info", "subject": "rig", "text": "all is well"},)
 
 
 @pytest.fixture(scope="session")
@@ -60,10 +63,13 @@ def certificate(calibration: Calibration, laboratory: Laboratory) -> Certificate
         laboratory=laboratory,
         order=Order(
             customer="Plant",
+            contact="O. Ivanenko",
+            item="inclinometer",
             serial="17",
+            condition="without visible damage",
             calibrated="2026-11-20",
             issued="2026-11-22",
         ),
-        calibration=calibration,
+        measured=measured_of(calibration, PRINTED),
         surroundings=Surroundings(22.5, 41.0),
     )

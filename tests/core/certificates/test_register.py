@@ -90,3 +90,33 @@ def test_a_broken_twin_is_refused(certificate: Certificate, tmp_path: Path):
     register.path("1").write_text("{", encoding="utf-8")
     with pytest.raises(FormatError, match="damaged JSON"):
         register.read(register.path("1"))
+
+
+def test_the_list_tells_what_replaces_what(certificate: Certificate, tmp_path: Path):
+    register = Register(tmp_path)
+    first = issue(register, certificate)
+    changed = replace(certificate.order, replaces=first.number, change="serial number", serial="18")
+    issue(register, replace(certificate, order=changed))
+    register.path("2026-0003").write_text("{", encoding="utf-8")
+    newer, older, damaged = register.entries()
+    assert (newer.number, newer.serial, newer.replaces) == ("2026-0002", "18", "2026-0001")
+    assert (older.number, older.replaced_by, older.withdrawn) == ("2026-0001", "2026-0002", "")
+    assert (damaged.number, older.verdict) == ("2026-0003", "")
+    assert "damaged JSON" in damaged.damage
+
+
+def test_a_withdrawal_leaves_the_twin_alone_and_happens_once(
+    certificate: Certificate, tmp_path: Path
+):
+    register = Register(tmp_path)
+    issue(register, certificate)
+    before = register.path("2026-0001").read_bytes()
+    register.withdraw("2026-0001", "2026-12-01", "the head was found to be damaged")
+    assert register.path("2026-0001").read_bytes() == before
+    (only,) = register.entries()
+    assert only.withdrawn == "2026-12-01: the head was found to be damaged"
+    with pytest.raises(StorageError, match="was withdrawn before"):
+        register.withdraw("2026-0001", "2026-12-02", "again")
+    with pytest.raises(StorageError, match="no such certificate"):
+        register.withdraw("2026-0009", "2026-12-02", "unknown")
+    assert issue(register, certificate).number == "2026-0002"

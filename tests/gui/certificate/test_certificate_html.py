@@ -11,16 +11,23 @@ from PySide6.QtGui import QColor, QImage, QPainter
 from core.certificates.certificate import Certificate, Order, Surroundings
 from core.certificates.laboratory import Laboratory, Standard
 from core.certificates.limits import ParameterLimit, judge_calibration
+from core.certificates.measured import measured_of
 from core.errors import Note, Severity, StorageError
 from core.fit.quantiles import student_t
 from core.procedures.calibration import Calibration
 from core.procedures.dividing_head import calibrate
 from core.records.open import read_any
-from gui.certificate.html import certificate_sections, certificate_title, whole_html
+from gui.certificate.html import (
+    certificate_sections,
+    certificate_title,
+    results_html,
+    whole_html,
+)
 from gui.certificate.parts import part_html, symbols
 from gui.certificate.pdf import Paper
 from gui.dividing_head.tables import matrices, parameter_table
-from gui.measuring.page import CurveState, ResultsPage
+from gui.measuring.page import CurveState, Part
+from gui.measuring.printed import printed_of
 from gui.widgets.states import ResidualSeries, ResidualState, TableState
 
 pytestmark = pytest.mark.usefixtures("qapp")
@@ -49,16 +56,18 @@ def calibration(tmp_path: Path) -> Calibration:
     return calibrate(run, run.conditions)
 
 
-@pytest.fixture
-def page(calibration: Calibration) -> ResultsPage:
+def parts_of(calibration: Calibration) -> tuple[Part, ...]:
     residuals = ResidualState(
         tuple(str(n) for n in range(12)),
         (ResidualSeries("U", tuple(calibration.fits[0].residuals.tolist())),),
         "V",
     )
     doubt = Note(Severity.WARNING, "worn", "the head is worn & old")
-    parts = (parameter_table(calibration), *matrices(calibration), residuals, doubt)
-    return ResultsPage("MS9002", "twelve.run.csv", parts)
+    return (parameter_table(calibration), *matrices(calibration), residuals, doubt)
+
+
+def sections(certificate: Certificate, folder: Path) -> tuple[str, ...]:
+    return certificate_sections(certificate, results_html(certificate.measured.printed), folder)
 
 
 @pytest.fixture
@@ -73,16 +82,14 @@ def certificate(calibration: Calibration) -> Certificate:
             standards=(Standard("dividing head", "114", "UA-24/118", "2027-03-01", "institute"),),
         ),
         order=Order(customer="Plant", serial="MS9002 <3>", calibrated="2026-11-20"),
-        calibration=calibration,
+        measured=measured_of(calibration, printed_of(parts_of(calibration))),
         surroundings=Surroundings(22.5, 41.0),
         conformity=judge_calibration(calibration, limits, "guarded"),
     )
 
 
-def test_everything_that_is_asked_for_stands_in_it(
-    certificate: Certificate, page: ResultsPage, tmp_path: Path
-):
-    text = whole_html(certificate_sections(certificate, page, tmp_path), "t")
+def test_everything_that_is_asked_for_stands_in_it(certificate: Certificate, tmp_path: Path):
+    text = whole_html(sections(certificate, tmp_path), "t")
     for words in (
         "CALIBRATION CERTIFICATE",
         "2026-0042",
@@ -103,39 +110,40 @@ def test_everything_that_is_asked_for_stands_in_it(
     ):
         assert words in text, words
     assert "Air pressure" not in text  # nothing was stated
-    dofs = certificate.calibration.fits[0].t_dof
-    assert f"k = {student_t(0.95, float(dofs[0])):.2f}" in text
+    calibration = certificate.measured.calibration
+    assert calibration is not None
+    dofs = calibration.fits[0].t_dof
+    assert f"k\u00a0=\u00a0{student_t(0.95, float(dofs[0])):.2f}" in text
 
 
-def test_without_freedom_no_uncertainty_is_claimed(
-    certificate: Certificate, page: ResultsPage, tmp_path: Path
-):
-    fit = replace(certificate.calibration.fits[0], t_dof=np.zeros(3))
-    bare = replace(certificate, calibration=replace(certificate.calibration, fits=(fit,)))
-    text = "".join(certificate_sections(bare, page, tmp_path))
+def test_without_freedom_no_uncertainty_is_claimed(certificate: Certificate, tmp_path: Path):
+    calibration = certificate.measured.calibration
+    assert calibration is not None
+    fit = replace(calibration.fits[0], t_dof=np.zeros(3))
+    measured = measured_of(replace(calibration, fits=(fit,)), certificate.measured.printed)
+    bare = replace(certificate, measured=measured)
+    text = "".join(sections(bare, tmp_path))
     assert "no uncertainty can be stated" in text
-    assert "k =" not in text
+    assert "k\u00a0=" not in text
 
 
 def test_the_logo_travels_inside_and_a_lost_one_costs_nothing(
-    certificate: Certificate, page: ResultsPage, tmp_path: Path
+    certificate: Certificate, tmp_path: Path
 ):
     image = QImage(20, 20, QImage.Format.Format_RGB32)
     image.fill(QColor("red"))
     assert image.save(str(tmp_path / "logo.png"))
     for name, inside in (("logo.png", True), ("lost.png", False), ("logo.exe", False)):
         laboratory = replace(certificate.laboratory, logo=name)
-        sections = certificate_sections(replace(certificate, laboratory=laboratory), page, tmp_path)
-        assert ('height="60"' in sections[0]) is inside
+        pieces = sections(replace(certificate, laboratory=laboratory), tmp_path)
+        assert ('height="60"' in pieces[0]) is inside
 
 
-def test_paper_cuts_no_section_that_fits_a_page(
-    certificate: Certificate, page: ResultsPage, tmp_path: Path
-):
-    sections = certificate_sections(certificate, page, tmp_path)
-    paper = Paper(sections, certificate_title(certificate))
+def test_paper_cuts_no_section_that_fits_a_page(certificate: Certificate, tmp_path: Path):
+    whole = sections(certificate, tmp_path)
+    paper = Paper(whole, certificate_title(certificate))
     pieces = [piece for pieces in paper.pages for piece in pieces]
-    assert len(pieces) == len(sections)
+    assert len(pieces) == len(whole)
     for pieces in paper.pages:
         bottoms = [piece.top + piece.source[1] - piece.source[0] for piece in pieces]
         assert max(bottoms) <= paper.height
@@ -145,20 +153,44 @@ def test_paper_cuts_no_section_that_fits_a_page(
 def test_a_table_longer_than_a_page_goes_on_without_losing_a_row():
     rows = tuple((f"row {n}", str(n)) for n in range(150))
     table = TableState("Long", "", ("name", "n"), rows)
-    paper = Paper((part_html(table), "<p>after</p>"), "foot")
+    paper = Paper(("<p>before</p>", *part_html(table), "<p>after</p>"), "foot")
     assert len(paper.pages) >= 3
-    long = [piece for pieces in paper.pages for piece in pieces][:-1]
-    ends = [piece.source for piece in long]
+    assert len(paper.pages[0]) == 2  # it begins where there is room
+    pieces = [piece for pieces in paper.pages for piece in pieces][1:-1]
+    headers = [piece for piece in pieces if piece.source[1] - piece.source[0] < 40.0]
+    assert len(headers) == len(paper.pages) - 1
+    assert len({piece.source for piece in headers}) == 1
+    ends = [piece.source for piece in pieces if piece not in headers]
     assert ends[0][0] == 0.0
     assert all(before[1] == after[0] for before, after in pairwise(ends))
-    assert ends[-1][1] == pytest.approx(long[0].section.size().height())
+    assert ends[-1][1] == pytest.approx(pieces[0].section.size().height())
 
 
-def test_the_pdf_has_its_pages_and_a_full_disk_is_told(
-    certificate: Certificate, page: ResultsPage, tmp_path: Path
-):
-    sections = certificate_sections(certificate, page, tmp_path)
-    paper = Paper(sections, certificate_title(certificate))
+def test_long_remarks_are_cut_between_lines():
+    words = "The unit was warmed up before the first position. " * 400
+    paper = Paper((f"<p>{words}</p>",), "foot")
+    assert len(paper.pages) == 3
+    heights = {
+        round((piece.source[1] - piece.source[0]) / 14.0, 1)
+        for pieces in paper.pages[:-1]
+        for piece in pieces
+    }
+    assert len(heights) <= 2
+
+
+def test_a_wide_table_goes_on_below_itself():
+    header = ("No.", "Mount", *(f"U{n}" for n in range(1, 13)))
+    row = ("1", "X from", *(str(n) for n in range(1, 13)))
+    pieces = part_html(TableState("Measured", "U = k·a", header, (row,), 2))
+    assert len(pieces) == 2
+    assert "Measured, further columns" in pieces[1]
+    assert all(piece.count("X from") == 1 for piece in pieces)
+    assert [f">U{n}<" in pieces[0] for n in range(1, 13)] == [True] * 6 + [False] * 6
+    assert [f">U{n}<" in pieces[1] for n in range(1, 13)] == [False] * 6 + [True] * 6
+
+
+def test_the_pdf_has_its_pages_and_a_full_disk_is_told(certificate: Certificate, tmp_path: Path):
+    paper = Paper(sections(certificate, tmp_path), certificate_title(certificate))
     paper.save(tmp_path / "c.pdf")
     content = (tmp_path / "c.pdf").read_bytes()
     assert content.startswith(b"%PDF")
@@ -167,10 +199,8 @@ def test_the_pdf_has_its_pages_and_a_full_disk_is_told(
         paper.save(tmp_path / "no folder" / "c.pdf")
 
 
-def test_a_page_on_the_screen_is_the_page_on_paper(
-    certificate: Certificate, page: ResultsPage, tmp_path: Path
-):
-    paper = Paper(certificate_sections(certificate, page, tmp_path), "foot")
+def test_a_page_on_the_screen_is_the_page_on_paper(certificate: Certificate, tmp_path: Path):
+    paper = Paper(sections(certificate, tmp_path), "foot")
     image = QImage(round(paper.width), round(paper.height), QImage.Format.Format_RGB32)
     image.fill(QColor("white"))
     painter = QPainter(image)
@@ -186,8 +216,9 @@ def test_a_page_on_the_screen_is_the_page_on_paper(
 
 def test_curves_become_tables_and_symbols_get_their_indices():
     curve = CurveState("Error", "angle, deg", "error, deg", (("own", (0.0, 90.0), (0.1, 0.2), ()),))
-    text = part_html(curve)
+    (text,) = part_html(curve)
     assert "Error, error, deg" in text
-    assert '<td align="right">90</td><td align="right">0.2</td>' in text
+    assert ">90</td>" in text
+    assert ">0.2</td>" in text
     assert symbols("U = k_z·a_z + U0") == "U = k<sub>z</sub>·a<sub>z</sub> + U<sub>0</sub>"
     assert symbols("Non-orthogonality Ux") == "Non-orthogonality Ux"
