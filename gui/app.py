@@ -37,6 +37,7 @@ TABS: dict[str, str] = {
     "Thermal": "gui.thermal.tab",
     "Drift": "gui.drift.tab",
     "Methods": "gui.methods.tab",
+    "Model vs data": "gui.discrepancy.tab",
     "Archive": "gui.archive.tab",
 }
 """Every tab of the window: its title and the module that makes it."""
@@ -139,6 +140,7 @@ class Application(QObject):
         from gui.devices.setup import setups_of_section
         from gui.devices.stopping import Stopping
         from gui.devices.view import DevicesView
+        from gui.distance import Distance
         from gui.services import Services
 
         self.connection = Connection(self._profiles, self._raw_folder, self.messages, self)
@@ -167,6 +169,7 @@ class Application(QObject):
             tab = module.make_tab(services)
             self.tabs[title] = tab
             self.window.put_tab(place, tab.widget, title)
+        self.distance = Distance(self.window, self.messages)
         self._made = True
         QTimer.singleShot(0, self._after_paint)
 

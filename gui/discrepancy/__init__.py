@@ -1,0 +1,24 @@
+"""The tab Model vs data: where they disagree, which effect is missing, how the gap shrinks.
+
+================  ==================================================================
+tab               the tab put together
+presenter         clicks in, `StoryState` out
+state             everything that the tab shows
+working           the work of a job: reading, finding, adding, simulating; needs no Qt
+ladder_rows       a story -> rungs of the ladder, regressors
+cards             a story -> proposals, next measurements, what the plan can show
+scene             buttons, the judgement, the tab without a run
+picture           a story -> both plots
+words             names of regressors and verdicts
+exporting         report, results, model with the effects
+report            the whole story as HTML and PDF
+paper_view        ladder and plots as pictures on paper
+view              ladder left, plots middle, findings right, actions below
+ladder_view       rungs with their bars against the noise floor
+plots_view        measured and simulated; the residual with its band
+findings_view     candidates, next measurements, what the plan can show
+candidate_view    one candidate with its picture and its evidence
+cause_view        a small picture of each kind of cause
+demo              pictures for the documentation
+================  ==================================================================
+"""

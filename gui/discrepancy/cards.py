@@ -1,0 +1,159 @@
+"""A story -> proposals, the chosen candidate, next measurements, what the rows can show."""
+
+import math
+
+from PySide6.QtCore import QCoreApplication
+
+from core.discrepancy.result import Candidate, Explanation, NextMeasurement, Step
+from core.model.catalogue.listing import CATALOGUE
+from gui.discrepancy.state import CandidateRow, DetailState, NextCard, ProposalCard
+from gui.discrepancy.words import effect_words, numbers_words, unit_words
+from gui.discrepancy.working import Story
+from gui.widgets.number_text import fixed, significant
+from gui.widgets.states import TableState
+
+_OTHERS = 4
+
+
+def proposals_of(story: Story) -> tuple[ProposalCard, ...]:
+    """One card for each effect that was found and not yet added, one for what else could be."""
+    cards = [_card(number, step) for number, step in enumerate(story.proposals, 1)]
+    if cards or story.proposed is None:
+        return tuple(cards)
+    rest = story.told.candidates
+    if not rest:
+        return ()
+    title = QCoreApplication.translate("Discrepancy", "Could still be added; nothing asks for it")
+    best = max(each.evidence for each in rest)
+    return (ProposalCard(title, (), tuple(_row(each, best) for each in rest[:_OTHERS])),)
+
+
+def chosen_of(story: Story, wanted: str) -> Candidate | None:
+    """The candidate that the operator chose, or the first of all."""
+    candidates = story.candidates
+    for each in candidates:
+        if each.effect == wanted:
+            return each
+    proposals = story.proposals
+    if proposals:
+        return next((c for c in candidates if c.effect == proposals[0].effect), None)
+    return None
+
+
+def detail_of(candidate: Candidate) -> DetailState:
+    """All words about a candidate."""
+    effect = CATALOGUE.get(candidate.effect)
+    lines: list[str] = []
+    if effect is not None and effect.seen_as:
+        template = QCoreApplication.translate("Discrepancy", "How it shows: {words}")
+        lines.append(template.format(words=effect.seen_as))
+    if effect is not None and effect.remedy:
+        template = QCoreApplication.translate("Discrepancy", "What to do: {words}")
+        lines.append(template.format(words=effect.remedy))
+    return DetailState(
+        candidate.effect, candidate.name, candidate.plain, candidate.equation, tuple(lines)
+    )
+
+
+def following_of(story: Story) -> tuple[NextCard, ...]:
+    """What to measure next, best first."""
+    return tuple(_next(each) for each in measurements_of(story))
+
+
+def measurements_of(story: Story) -> tuple[NextMeasurement, ...]:
+    """The measurements behind the cards."""
+    best = story.proposed or story.told
+    return best.next_measurements
+
+
+def grade_of(told: Explanation) -> tuple[TableState, ...]:
+    """What these rows can show, what they cannot tell apart, what they cannot show at all."""
+    if not told.smallest and not told.invisible:
+        return ()
+    header = (
+        QCoreApplication.translate("Discrepancy", "effect"),
+        QCoreApplication.translate("Discrepancy", "named from"),
+        QCoreApplication.translate("Discrepancy", "usual"),
+        QCoreApplication.translate("Discrepancy", "unit"),
+        QCoreApplication.translate("Discrepancy", "looks the same here"),
+    )
+    visible = TableState(
+        QCoreApplication.translate("Discrepancy", "Smallest effects that these rows would name"),
+        QCoreApplication.translate(
+            "Discrepancy", "size at which eight sigmas of the effect are visible"
+        ),
+        header,
+        tuple(
+            (
+                each.name,
+                significant(each.size, 3),
+                "" if math.isnan(each.typical) else significant(each.typical, 2),
+                unit_words(each.unit),
+                ", ".join(effect_words(alias) for alias in each.aliases),
+            )
+            for each in told.smallest
+        ),
+    )
+    hidden = [
+        *(
+            (
+                effect_words(each),
+                QCoreApplication.translate("Discrepancy", "invisible, whatever its size"),
+            )
+            for each in told.invisible
+        ),
+        *(
+            (
+                effect_words(each),
+                QCoreApplication.translate("Discrepancy", "needs the column {name}").format(
+                    name=column
+                ),
+            )
+            for each, column in told.untested.items()
+        ),
+    ]
+    if not hidden:
+        return (visible,)
+    title = QCoreApplication.translate("Discrepancy", "Not to be seen in these rows")
+    head = (QCoreApplication.translate("Discrepancy", "effect"), "")
+    return visible, TableState(title, "", head, tuple(hidden), 2)
+
+
+def _card(number: int, step: Step) -> ProposalCard:
+    best = max((each.evidence for each in step.candidates), default=step.evidence)
+    same = {step.effect, *step.indistinguishable_from}
+    tied = tuple(_row(each, best) for each in step.candidates if each.effect in same)
+    others = tuple(_row(each, best) for each in step.candidates if each.effect not in same)
+    if len(tied) > 1:
+        template = QCoreApplication.translate(
+            "Discrepancy", "{number}. These cannot be told apart yet"
+        )
+    else:
+        template = QCoreApplication.translate("Discrepancy", "{number}. Missing in the model")
+    return ProposalCard(template.format(number=number), tied, others[:_OTHERS])
+
+
+def _row(candidate: Candidate, best: float) -> CandidateRow:
+    evidence = QCoreApplication.translate("Discrepancy", "evidence {nats}, {share} %").format(
+        nats=fixed(candidate.evidence, 1), share=fixed(100.0 * candidate.probability, 0)
+    )
+    left = QCoreApplication.translate("Discrepancy", "leaves a gap of {gap}").format(
+        gap=fixed(candidate.gap_after, 2)
+    )
+    share = min(max(candidate.evidence / best, 0.0), 1.0) if best > 0 else 0.0
+    return CandidateRow(
+        candidate.effect, candidate.name, numbers_words(candidate), share, evidence, left
+    )
+
+
+def _next(each: NextMeasurement) -> NextCard:
+    facts = QCoreApplication.translate("Discrepancy", "{count} positions, {minutes} min").format(
+        count=len(each.plan.steps), minutes=fixed(each.minutes, 0)
+    )
+    head, _, tail = each.why.partition("; tells apart ")
+    why = head[:1].upper() + head[1:]
+    if tail:
+        names = ", ".join(effect_words(name) for name in tail.split(", "))
+        template = QCoreApplication.translate("Discrepancy", "{why}. Tells apart: {names}.")
+        why = template.format(why=why, names=names)
+    return NextCard(each.title, why, facts, each.probability)

@@ -1,0 +1,270 @@
+"""The right-hand side: candidates, what to measure next, what these rows can show; the report."""
+
+from collections.abc import Sequence
+
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtWidgets import (
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+    QScrollArea,
+    QTabWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from gui.discrepancy.candidate_view import CandidateView, ChanceBar, ProposalView
+from gui.discrepancy.cause_view import CauseView
+from gui.discrepancy.state import DetailState, NextCard, StoryState
+from gui.widgets.fields import ChoiceField
+from gui.widgets.note_line import NoteLine
+from gui.widgets.result_table import ResultTable
+from gui.widgets.theme import current_theme
+
+
+class FindingsView(QWidget):
+    """Judgement above, three pages below, the export at the foot."""
+
+    chosen = Signal(str)
+    plan_opened = Signal(int)
+    export_requested = Signal(str, str)
+    format_chosen = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._state: StoryState | None = None
+        unit = self.fontMetrics().height()
+        self.title, self.source, self.verdict, self.summary = (QLabel() for _ in range(4))
+        for label, size in ((self.title, 1.0), (self.verdict, 1.2)):
+            font = label.font()
+            font.setBold(True)
+            font.setPointSizeF(font.pointSizeF() * size)
+            label.setFont(font)
+        for label in (self.title, self.source, self.verdict, self.summary):
+            label.setWordWrap(True)
+            label.setTextFormat(Qt.TextFormat.PlainText)
+            label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.source.setForegroundRole(self.source.palette().ColorRole.PlaceholderText)
+        self.pages = QTabWidget()
+        self.pages.setDocumentMode(True)
+        self._columns: list[QVBoxLayout] = []
+        for _ in range(3):
+            page = QWidget()
+            column = QVBoxLayout(page)
+            column.setContentsMargins(0, unit // 2, unit // 2, unit // 2)
+            column.setSpacing(unit // 2)
+            column.addStretch(1)
+            scroll = QScrollArea()
+            scroll.setWidget(page)
+            scroll.setWidgetResizable(True)
+            scroll.setFrameShape(QFrame.Shape.NoFrame)
+            scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+            self.pages.addTab(scroll, "")
+            self._columns.append(column)
+        self._formats, self._name, self._export = ChoiceField(), QLineEdit(), QPushButton()
+        self._formats.activated.connect(self._on_format)
+        self._name.returnPressed.connect(self.export)
+        self._export.clicked.connect(self.export)
+        foot = QHBoxLayout()
+        foot.addWidget(self._formats)
+        foot.addWidget(self._name, 1)
+        foot.addWidget(self._export)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(unit // 2, unit // 2, unit // 2, unit // 2)
+        column.setSpacing(unit // 4)
+        for label in (self.title, self.source, self.verdict, self.summary):
+            column.addWidget(label)
+        column.addWidget(self.pages, 1)
+        column.addLayout(foot)
+        self._retranslate()
+
+    @property
+    def candidates(self) -> list[CandidateView]:
+        """All candidates on the page, from above."""
+        cards = [w for w in _widgets(self._columns[0]) if isinstance(w, ProposalView)]
+        return [candidate for card in cards for candidate in card.candidates]
+
+    def render(self, state: StoryState) -> None:
+        """Show a state."""
+        old, self._state = self._state, state
+        self.title.setText(state.title)
+        self.source.setText(state.source)
+        self.verdict.setText(state.verdict)
+        self.summary.setText(state.summary)
+        self._colour()
+        fresh = old is None
+        if (
+            fresh
+            or old.proposals != state.proposals
+            or old.detail != state.detail
+            or (old.notes != state.notes)
+        ):
+            self._render_candidates(state, rebuilt=fresh or old.proposals != state.proposals)
+        if fresh or old.following != state.following:
+            self._render_following(state.following)
+        if fresh or old.grade != state.grade:
+            self._render_grade(state)
+        self._name_pages()
+
+    def set_formats(self, formats: tuple[tuple[str, str], ...]) -> None:
+        """Offer these formats: keys and titles."""
+        for key, title in formats:
+            self._formats.addItem(title, key)
+
+    @property
+    def chosen_format(self) -> str:
+        """Key of the format on the screen."""
+        return str(self._formats.currentData())
+
+    def show_name(self, name: str) -> None:
+        """Propose a file name."""
+        self._name.setText(name)
+
+    def export(self) -> None:
+        """Write the chosen format under the name in the field."""
+        self.export_requested.emit(self._formats.currentData(), self._name.text())
+
+    # --- pages ------------------------------------------------------------------------------------
+
+    def _render_candidates(self, state: StoryState, *, rebuilt: bool) -> None:
+        column = self._columns[0]
+        kept = () if rebuilt else tuple(w for w in _widgets(column) if isinstance(w, ProposalView))
+        _clear(column, kept)
+        place = len(kept)
+        if rebuilt:
+            for card in state.proposals:
+                view = ProposalView(card)
+                view.chosen.connect(self.chosen)
+                column.insertWidget(place, view)
+                place += 1
+        for candidate in self.candidates:
+            candidate.mark(candidate.key == state.chosen)
+        if state.detail is not None:
+            column.insertWidget(place, _detail(state.detail))
+            place += 1
+        for note in state.notes:
+            column.insertWidget(place, NoteLine(note))
+            place += 1
+
+    def _render_following(self, cards: tuple[NextCard, ...]) -> None:
+        column = self._columns[1]
+        _clear(column)
+        if not cards:
+            text = self.tr("Nothing is undecided: no further measurement is proposed.")
+            column.insertWidget(0, _text(text))
+        for place, card in enumerate(cards):
+            column.insertWidget(place, self._next(place, card))
+
+    def _next(self, place: int, card: NextCard) -> QWidget:
+        unit = self.fontMetrics().height()
+        frame = QFrame()
+        frame.setFrameShape(QFrame.Shape.StyledPanel)
+        rows = QVBoxLayout(frame)
+        rows.setContentsMargins(unit // 2, unit // 2, unit // 2, unit // 2)
+        rows.setSpacing(unit // 4)
+        rows.addWidget(_text(card.title, bold=True))
+        rows.addWidget(_text(card.why))
+        rows.addWidget(ChanceBar(card))
+        foot = QHBoxLayout()
+        foot.addWidget(_text(card.facts, muted=True), 1)
+        button = QPushButton(self.tr("Open this plan"))
+        button.setProperty("place", place)
+        button.clicked.connect(self._on_plan)
+        foot.addWidget(button)
+        rows.addLayout(foot)
+        return frame
+
+    def _render_grade(self, state: StoryState) -> None:
+        column = self._columns[2]
+        _clear(column)
+        for place, table in enumerate(state.grade):
+            view = ResultTable()
+            view.render(table)
+            column.insertWidget(place, view)
+
+    def _on_plan(self) -> None:
+        self.plan_opened.emit(self.sender().property("place"))
+
+    def _on_format(self, index: int) -> None:
+        self.format_chosen.emit(self._formats.itemData(index))
+
+    def _colour(self) -> None:
+        if self._state is not None:
+            colour = current_theme().tones[self._state.tone]
+            self.verdict.setStyleSheet(f"color: {colour}")
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.LanguageChange:
+            self._retranslate()
+        elif event.type() == QEvent.Type.PaletteChange and hasattr(self, "_state"):
+            self._colour()
+
+    def _name_pages(self) -> None:
+        count = 0 if self._state is None else len(self._state.following)
+        titles = [self.tr("Candidates"), self.tr("Measure next"), self.tr("What can be seen")]
+        if count:
+            titles[1] = self.tr("Measure next ({count})").format(count=count)
+        for place, title in enumerate(titles):
+            self.pages.setTabText(place, title)
+
+    def _retranslate(self) -> None:
+        self._name_pages()
+        self._formats.setAccessibleName(self.tr("Export format"))
+        self._name.setAccessibleName(self.tr("File of the export"))
+        self._export.setText(self.tr("Export"))
+
+
+def _detail(detail: DetailState) -> QWidget:
+    """The chosen candidate in words, with its equation and its picture."""
+    frame = QFrame()
+    unit = frame.fontMetrics().height()
+    picture = CauseView(4.5)
+    picture.render(detail.key, detail.name)
+    words = QVBoxLayout()
+    words.setSpacing(unit // 4)
+    words.addWidget(_text(detail.name, bold=True))
+    plain = detail.plain[:1].upper() + detail.plain[1:]
+    words.addWidget(_text(plain if plain.endswith(".") else f"{plain}."))
+    if detail.equation:
+        words.addWidget(_text(f"U + {detail.equation}", muted=True))
+    row = QHBoxLayout()
+    row.addWidget(picture, 0, Qt.AlignmentFlag.AlignTop)
+    row.addLayout(words, 1)
+    column = QVBoxLayout(frame)
+    column.setContentsMargins(0, unit // 4, 0, unit // 4)
+    column.setSpacing(unit // 4)
+    column.addLayout(row)
+    for line in detail.lines:
+        column.addWidget(_text(line if line.endswith(".") else f"{line}."))
+    return frame
+
+
+def _text(text: str, *, bold: bool = False, muted: bool = False) -> QLabel:
+    label = QLabel(text)
+    label.setWordWrap(True)
+    label.setTextFormat(Qt.TextFormat.PlainText)
+    label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+    if bold:
+        font = label.font()
+        font.setBold(True)
+        label.setFont(font)
+    if muted:
+        label.setForegroundRole(label.palette().ColorRole.PlaceholderText)
+    return label
+
+
+def _widgets(column: QVBoxLayout) -> list[QWidget]:
+    items = [column.itemAt(place) for place in range(column.count())]
+    widgets = [item.widget() for item in items if item is not None]
+    return [widget for widget in widgets if widget is not None]
+
+
+def _clear(column: QVBoxLayout, kept: Sequence[QWidget] = ()) -> None:
+    for widget in _widgets(column):
+        if widget not in kept:
+            column.removeWidget(widget)
+            widget.hide()
+            widget.deleteLater()

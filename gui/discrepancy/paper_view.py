@@ -1,0 +1,81 @@
+"""Ladder and plots as pictures on paper, white whatever the screen wears."""
+
+import base64
+from collections.abc import Callable
+from html import escape
+
+from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QFont, QImage, QImageWriter, QPainter
+
+from gui.discrepancy.cause_view import paint_cause
+from gui.discrepancy.ladder_view import GapBar, largest_of
+from gui.discrepancy.plots_view import PlotsView
+from gui.discrepancy.state import PictureState, RungState
+from gui.widgets.theme import FAMILY, current_theme, paper_look
+
+_SHARP = 3
+"""Dots of a picture to one of the screen: 288 dpi on paper."""
+_LINE = 15.0
+
+
+def ladder_picture(rungs: tuple[RungState, ...]) -> str:
+    """All bars of the ladder, as HTML."""
+    row = 2.9 * _LINE
+    size = QSize(660, round(row * len(rungs)))
+
+    def paint(painter: QPainter) -> None:
+        largest = largest_of(rungs)
+        for place, rung in enumerate(rungs):
+            painter.setPen(QColor(current_theme().text))
+            painter.drawText(QPointF(0, place * row + _LINE), rung.title)
+            painter.save()
+            painter.translate(0, place * row + 1.3 * _LINE)
+            GapBar(rung, largest).paint(painter, QSize(660, round(1.4 * _LINE)))
+            painter.restore()
+
+    return _image(size, paint, "")
+
+
+def plot_picture(picture: PictureState, *, after: bool) -> str:
+    """The residual against its regressor with the band, as HTML."""
+    size = QSize(660, 300)
+
+    def paint(painter: QPainter) -> None:
+        plots = PlotsView()
+        plots.resize(size.width(), 700)
+        plots.left.resize(size)
+        plots.draw(picture, after=after)
+        plots.left.grab()
+        plots.paint(painter, size)
+        plots.close_plots()
+
+    return _image(size, paint, picture.title)
+
+
+def cause_picture(effect: str, name: str) -> str:
+    """The picture of an effect, as HTML."""
+    size = QSize(78, 60)
+    return _image(size, lambda painter: paint_cause(painter, QRectF(0, 0, 78, 60), effect), name)
+
+
+def _image(size: QSize, paint: Callable[[QPainter], None], name: str) -> str:
+    image = QImage(size * _SHARP, QImage.Format.Format_RGB32)
+    image.setDevicePixelRatio(_SHARP)
+    image.fill(Qt.GlobalColor.white)
+    painter = QPainter(image)
+    font = QFont(FAMILY)
+    font.setPixelSize(12)
+    painter.setFont(font)
+    try:
+        with paper_look():
+            paint(painter)
+    finally:
+        painter.end()
+    buffer = QBuffer()
+    buffer.open(QIODevice.OpenModeFlag.WriteOnly)
+    QImageWriter(buffer, QByteArray(b"png")).write(image)
+    data = base64.b64encode(buffer.data().data()).decode("ascii")
+    return (
+        f'<img alt="{escape(name, quote=True)}" width="{size.width()}" height="{size.height()}"'
+        f' src="data:image/png;base64,{data}"/>'
+    )

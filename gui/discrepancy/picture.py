@@ -1,0 +1,96 @@
+"""A story -> both plots: measured and simulated, and the residual against one regressor."""
+
+import numpy as np
+from PySide6.QtCore import QCoreApplication
+
+from core.arrays import FloatArray, IntArray
+from core.discrepancy.result import Candidate, Where
+from gui.discrepancy.ladder_rows import SIGNIFICANT, place_words
+from gui.discrepancy.state import PictureState
+from gui.discrepancy.words import p_words, regressor_words, unit_words
+from gui.discrepancy.working import Story, left_over
+
+_NOTHING = np.zeros(0)
+
+
+def where_of(story: Story, *, after: bool) -> tuple[Where, ...]:
+    """Regressors of the plain model's residuals, or of those with the added effects.
+
+    The most significant stand first, and among equals those that explain most.
+    """
+    found = story.told.where_after if after else story.told.where
+    return tuple(sorted(found, key=lambda one: (one.p_value, -one.share)))
+
+
+def picture_of(
+    story: Story,
+    where: Where,
+    channel: int,
+    *,
+    after: bool,
+    again: FloatArray | None,
+    candidate: Candidate | None,
+) -> PictureState:
+    """Both plots of an output against a regressor."""
+    told = story.told
+    own = where.channel == channel
+    x, residual = where.x[own], where.residual[own]
+    near = _nearest(x, where.knots)
+    mean = _means(residual, near, len(where.knots))
+    same = channel == where.shown
+    marked = (np.abs(mean) > where.band) & np.isfinite(mean) if same else np.zeros(len(mean))
+    band, curve = (where.band, where.curve) if same else (_NOTHING, _NOTHING)
+    significant = where.p_value < SIGNIFICANT and same
+    worst = int(np.argmin(np.abs(where.knots - where.worst_value))) if significant else -1
+    preview = _NOTHING
+    if candidate is not None:
+        explained = left_over(story, candidate.curve, after=after)[own]
+        preview = _means(explained, near, len(where.knots))
+    played = _NOTHING
+    if again is not None:
+        played = left_over(story, again, after=after)[own]
+    predicted = told.predicted if after else told.predicted_before
+    unit = unit_words(where.unit)
+    name = regressor_words(where.regressor)
+    return PictureState(
+        title=_title(where, name),
+        x_label=f"{name}, {unit}" if unit else name,
+        unit=unit_words(told.unit),
+        x=x,
+        measured=told.measured[told.channel == channel],
+        simulated=predicted[told.channel == channel],
+        residual=residual,
+        again=played,
+        knots=where.knots,
+        mean=mean,
+        curve=curve,
+        band=band,
+        marked=np.asarray(marked, dtype=np.float64),
+        worst=worst,
+        worst_words=place_words(where) if worst >= 0 else "",
+        preview=preview,
+        preview_name="" if candidate is None else candidate.name,
+    )
+
+
+def _title(where: Where, name: str) -> str:
+    if where.p_value < SIGNIFICANT:
+        template = QCoreApplication.translate(
+            "Discrepancy", "There is structure against {name}: {p}, {place}"
+        )
+    else:
+        template = QCoreApplication.translate(
+            "Discrepancy", "No structure against {name} beyond the noise: {p}, largest {place}"
+        )
+    name = name[:1].lower() + name[1:]
+    return template.format(name=name, p=p_words(where.p_value), place=place_words(where))
+
+
+def _nearest(x: FloatArray, knots: FloatArray) -> IntArray:
+    return np.argmin(np.abs(x[:, None] - knots), axis=1)
+
+
+def _means(values: FloatArray, near: IntArray, count: int) -> FloatArray:
+    rows = np.bincount(near, minlength=count)
+    total = np.bincount(near, values, minlength=count)
+    return np.where(rows > 0, total / np.maximum(rows, 1), np.nan)

@@ -1,0 +1,133 @@
+"""The row of buttons, the judgement above all, and the tab without a run."""
+
+from PySide6.QtCore import QCoreApplication
+
+from core.discrepancy.result import Explanation
+from gui.discrepancy.ladder_rows import SIGNIFICANT
+from gui.discrepancy.state import StoryState
+from gui.discrepancy.words import TONES, verdict_words
+from gui.discrepancy.working import Story
+from gui.widgets.number_text import fixed
+from gui.widgets.states import ActionBarState, ActionItem, Tone
+
+
+def actions_of(
+    story: Story | None, *, candidate: bool, added: bool, again: bool, busy: bool
+) -> ActionBarState:
+    """The row of buttons.
+
+    Parameters
+    ----------
+    candidate : an effect is chosen
+    added : something can be taken back
+    again : the rows played by the model are shown
+    busy : a job runs
+    """
+    able = story is not None and story.ladder is not None and not busy
+    nothing = QCoreApplication.translate("Discrepancy", "There is nothing to compare yet.")
+    none = QCoreApplication.translate("Discrepancy", "Find proposes effects first.")
+    return ActionBarState(
+        (
+            ActionItem(
+                "find",
+                QCoreApplication.translate("Discrepancy", "Find"),
+                "Space",
+                default=True,
+                enabled=able,
+                why_not=nothing,
+            ),
+            ActionItem(
+                "add",
+                QCoreApplication.translate("Discrepancy", "Add to Model"),
+                "Ctrl+Return",
+                enabled=able and candidate,
+                why_not=none,
+            ),
+            ActionItem(
+                "all",
+                QCoreApplication.translate("Discrepancy", "Add All"),
+                "Ctrl+Shift+Return",
+                enabled=able and story is not None and bool(story.proposals),
+                why_not=none,
+            ),
+            ActionItem(
+                "undo",
+                QCoreApplication.translate("Discrepancy", "Undo"),
+                "Ctrl+Z",
+                enabled=added and not busy,
+                why_not=QCoreApplication.translate("Discrepancy", "Nothing was added."),
+            ),
+            ActionItem(
+                "play",
+                QCoreApplication.translate("Discrepancy", "Simulate with This Model")
+                if not again
+                else QCoreApplication.translate("Discrepancy", "Hide Simulation"),
+                "F6",
+                enabled=able,
+                why_not=nothing,
+            ),
+            ActionItem(
+                "load",
+                QCoreApplication.translate("ActionBar", "Load Data"),
+                "Ctrl+O",
+                enabled=not busy,
+            ),
+            ActionItem(
+                "report",
+                QCoreApplication.translate("Discrepancy", "Report"),
+                "Ctrl+E",
+                enabled=story is not None and not busy,
+                why_not=nothing,
+            ),
+        )
+    )
+
+
+def judgement_of(told: Explanation, proposed: Explanation | None) -> tuple[str, str, Tone]:
+    """Headline, sentence and tone; before anything was looked for only whether the model holds."""
+    if proposed is not None or told.verdict == "not_enough_data":
+        judged = told if proposed is None else proposed
+        return verdict_words(judged.verdict), judged.summary, TONES[judged.verdict]
+    rejected = any(one.p_value < SIGNIFICANT for one in told.where)
+    gap = fixed(told.before.gap, 2)
+    if rejected:
+        template = QCoreApplication.translate(
+            "Discrepancy", "Its gap is {gap} noise floors. Find (Space) looks for the reason."
+        )
+        words = QCoreApplication.translate("Discrepancy", "The plain model is rejected")
+        return words, template.format(gap=gap), Tone.DOUBT
+    template = QCoreApplication.translate(
+        "Discrepancy",
+        "Its gap is {gap} noise floors. Find (Space) looks closer.",
+    )
+    words = QCoreApplication.translate("Discrepancy", "No regressor speaks against the plain model")
+    return words, template.format(gap=gap), Tone.IDLE
+
+
+def empty_state(hint: str, busy: str, items: ActionBarState) -> StoryState:
+    """The tab before a run is there."""
+    return StoryState(
+        title="",
+        source="",
+        verdict="",
+        summary="",
+        tone=Tone.IDLE,
+        rungs=(),
+        regressors=(),
+        regressor="",
+        channels=(),
+        channel=0,
+        picture=None,
+        after=False,
+        can_after=False,
+        again=False,
+        proposals=(),
+        chosen="",
+        detail=None,
+        following=(),
+        grade=(),
+        notes=(),
+        actions=items,
+        hint=hint,
+        busy=busy,
+    )

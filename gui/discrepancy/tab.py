@@ -1,0 +1,75 @@
+"""The tab Model vs data put together."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QObject
+
+from core.plans.plan import Plan, Step
+from gui.discrepancy.exporting import Exporting
+from gui.discrepancy.presenter import DiscrepancyPresenter
+from gui.discrepancy.view import DiscrepancyView
+from gui.services import Services
+
+TITLE = "Model vs data"
+
+
+class DiscrepancyTab(QObject):
+    """Presenter, view and what joins them."""
+
+    def __init__(self, services: Services) -> None:
+        super().__init__()
+        self.presenter = DiscrepancyPresenter(
+            services.jobs, services.messages, services.open_plan, parent=self
+        )
+        self.view = DiscrepancyView(self.presenter)
+        self.exporting = Exporting(
+            lambda: self.presenter.story, services.root, services.messages, self
+        )
+        findings = self.view.findings
+        findings.set_formats(self.exporting.formats)
+        findings.format_chosen.connect(self._propose)
+        findings.export_requested.connect(self.exporting.export)
+        self.view.report_wanted.connect(findings.export)
+        self.presenter.changed.connect(self._on_changed)
+        self._named: object = None
+
+    @property
+    def widget(self) -> DiscrepancyView:
+        """What is shown."""
+        return self.view
+
+    def after_paint(self) -> None:
+        """Load the plots."""
+        from gui.discrepancy.plots_view import PlotsView
+
+        self.view.put_plots(PlotsView())
+
+    def why_busy(self) -> str:
+        """Why the ports cannot be let go of: nothing here uses them."""
+        return ""
+
+    def wanted(self) -> tuple[Plan, Step] | None:
+        """Nothing has to be set on the rig."""
+        return None
+
+    def load(self, path: Path) -> None:
+        """Take a session's folder or a file, and find out why its model is rejected."""
+        self.presenter.open([str(path)], find=True)
+
+    def close(self) -> None:
+        """Let go of the plots."""
+        self.view.drop_plots()
+
+    def _on_changed(self) -> None:
+        story = self.presenter.story
+        if story is not self._named:
+            self._named = story
+            self._propose(self.view.findings.chosen_format)
+
+    def _propose(self, key: str) -> None:
+        self.view.findings.show_name(self.exporting.propose(key))
+
+
+def make_tab(services: Services) -> DiscrepancyTab:
+    """Build the tab."""
+    return DiscrepancyTab(services)

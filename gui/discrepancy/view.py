@@ -1,0 +1,221 @@
+"""Model vs data: ladder and regressors left, plots middle, findings right, actions below."""
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QEvent, QRectF, Qt, Signal
+from PySide6.QtGui import QColor, QIcon, QPainter, QPixmap
+from PySide6.QtWidgets import (
+    QFileDialog,
+    QLabel,
+    QListWidget,
+    QListWidgetItem,
+    QProgressBar,
+    QSplitter,
+    QStackedWidget,
+    QVBoxLayout,
+    QWidget,
+)
+
+from gui.discrepancy.findings_view import FindingsView
+from gui.discrepancy.ladder_view import LadderView
+from gui.discrepancy.presenter import DiscrepancyPresenter
+from gui.discrepancy.state import RegressorRow, StoryState
+from gui.widgets.action_bar import ActionBar
+from gui.widgets.icons import paint_tone
+from gui.widgets.states import Tone
+from gui.widgets.theme import current_theme
+
+if TYPE_CHECKING:
+    from gui.discrepancy.plots_view import PlotsView
+
+
+class DiscrepancyView(QWidget):
+    """The widget of the tab.
+
+    Parameters
+    ----------
+    presenter : what clicks call, and what is rendered
+    """
+
+    report_wanted = Signal()
+
+    def __init__(self, presenter: DiscrepancyPresenter, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._presenter = presenter
+        self._state = presenter.state
+        self._rows: tuple[RegressorRow, ...] = ()
+        self._rendering = False
+        self._dialog: QFileDialog | None = None
+        self.plots: PlotsView | None = None
+        self.ladder, self.findings = LadderView(), FindingsView()
+        self.regressors, self._against = QListWidget(), QLabel()
+        self.hint, self.busy, self.progress = QLabel(), QLabel(), QProgressBar()
+        self.action_bar = ActionBar()
+        self._middle = QStackedWidget()
+        self._build()
+        self._connect()
+        self._retranslate()
+        self.render(presenter.state)
+
+    def _build(self) -> None:
+        unit = self.fontMetrics().height()
+        self.regressors.setWordWrap(True)
+        self.regressors.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        font = self._against.font()
+        font.setBold(True)
+        self._against.setFont(font)
+        self._against.setContentsMargins(unit // 2, unit // 3, unit // 2, unit // 6)
+        lower = QWidget()
+        column = QVBoxLayout(lower)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self._against)
+        column.addWidget(self.regressors, 1)
+        left = QSplitter(Qt.Orientation.Vertical)
+        left.addWidget(self.ladder)
+        left.addWidget(lower)
+        left.setChildrenCollapsible(False)
+        left.setSizes([26 * unit, 20 * unit])
+        self.hint.setWordWrap(True)
+        self.hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.hint.setTextFormat(Qt.TextFormat.PlainText)
+        font = self.hint.font()
+        font.setPointSizeF(font.pointSizeF() * 1.2)
+        self.hint.setFont(font)
+        self.hint.setContentsMargins(3 * unit, unit, 3 * unit, unit)
+        self._content = QWidget()
+        self._content_column = QVBoxLayout(self._content)
+        self._content_column.setContentsMargins(0, 0, 0, 0)
+        self._middle.addWidget(self.hint)
+        self._middle.addWidget(self._content)
+        self.progress.setRange(0, 0)
+        self.progress.setTextVisible(False)
+        self.progress.setFixedHeight(unit // 3)
+        self.busy.setContentsMargins(unit // 2, 0, unit // 2, 0)
+        centre = QWidget()
+        column = QVBoxLayout(centre)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        column.addWidget(self._middle, 1)
+        column.addWidget(self.busy)
+        column.addWidget(self.progress)
+        across = QSplitter(Qt.Orientation.Horizontal)
+        for part in (left, centre, self.findings):
+            across.addWidget(part)
+        across.setChildrenCollapsible(False)
+        for place, stretch in enumerate((0, 3, 1)):
+            across.setStretchFactor(place, stretch)
+        across.setSizes([19 * unit, 36 * unit, 28 * unit])
+        self._sides = (left, self.findings)
+        rows = QVBoxLayout(self)
+        rows.setContentsMargins(0, 0, 0, 0)
+        rows.setSpacing(0)
+        rows.addWidget(across, 1)
+        rows.addWidget(self.action_bar)
+
+    def _connect(self) -> None:
+        presenter = self._presenter
+        self.ladder.undone.connect(presenter.undo_from)
+        self.findings.chosen.connect(presenter.choose)
+        self.findings.plan_opened.connect(presenter.open_plan)
+        self.regressors.currentRowChanged.connect(self._on_regressor)
+        self.action_bar.triggered.connect(self._on_action)
+        presenter.changed.connect(self.render)
+
+    def put_plots(self, plots: "PlotsView") -> None:
+        """Put the plots in their place; they are slow to import and come after the window."""
+        self.plots = plots
+        self._content_column.addWidget(plots)
+        plots.channel_chosen.connect(self._presenter.show_channel)
+        plots.after_chosen.connect(self._presenter.show_after)
+        self.render(self._presenter.state)
+
+    def drop_plots(self) -> None:
+        """Close the plots; may be called again."""
+        if self.plots is not None:
+            plots, self.plots = self.plots, None
+            self._middle.setCurrentWidget(self.hint)
+            plots.close_plots()
+
+    def render(self, state: StoryState) -> None:
+        """Show a state."""
+        self._state = state
+        for side in self._sides:
+            side.setVisible(not state.hint)
+        self.hint.setText(state.hint or state.summary)
+        drawn = self.plots is not None and state.picture is not None
+        self._middle.setCurrentWidget(self._content if drawn else self.hint)
+        self.busy.setText(state.busy)
+        for widget in (self.busy, self.progress):
+            widget.setVisible(bool(state.busy) and not state.hint)
+        self.ladder.render(state.rungs)
+        self._render_regressors(state)
+        self.findings.render(state)
+        self.action_bar.render(state.actions)
+        if self.plots is not None:
+            self.plots.render(state)
+
+    def _render_regressors(self, state: StoryState) -> None:
+        self._rendering = True
+        if state.regressors != self._rows:
+            self._rows = state.regressors
+            self.regressors.clear()
+            for row in state.regressors:
+                item = QListWidgetItem(_sign(row.tone), f"{row.title}\n{row.detail}")
+                item.setToolTip(f"{row.title}: {row.detail}")
+                self.regressors.addItem(item)
+        keys = [row.key for row in state.regressors]
+        self.regressors.setCurrentRow(
+            keys.index(state.regressor) if state.regressor in keys else -1
+        )
+        self._rendering = False
+
+    # --- what the operator does -------------------------------------------------------------------
+
+    def _on_regressor(self, place: int) -> None:
+        if not self._rendering and place >= 0:
+            self._presenter.against(self._rows[place].key)
+
+    def _on_action(self, key: str) -> None:
+        if key == "load":
+            self._open_dialog()
+        elif key == "report":
+            self.report_wanted.emit()
+        else:
+            self._presenter.act(key)
+
+    def _open_dialog(self) -> None:
+        """The file dialog; it blocks nothing."""
+        if self._dialog is None:
+            dialog = QFileDialog(self, self.tr("Load Data"))
+            dialog.setFileMode(QFileDialog.FileMode.ExistingFiles)
+            dialog.setNameFilters(
+                [self.tr("Measurements (*.run.csv *.txt session.json)"), self.tr("All files (*)")]
+            )
+            dialog.filesSelected.connect(self._presenter.open)
+            self._dialog = dialog
+        self._dialog.show()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.LanguageChange:
+            self._retranslate()
+        elif event.type() == QEvent.Type.PaletteChange:
+            for place, row in enumerate(getattr(self, "_rows", ())):
+                self.regressors.item(place).setIcon(_sign(row.tone))
+
+    def _retranslate(self) -> None:
+        self._against.setText(self.tr("Where the residual has structure"))
+        self.regressors.setAccessibleName(self._against.text())
+
+
+def _sign(tone: Tone) -> QIcon:
+    """The sign of a tone as an icon that a chosen row does not tint."""
+    picture = QPixmap(32, 32)
+    picture.fill(QColor(0, 0, 0, 0))
+    painter = QPainter(picture)
+    paint_tone(painter, QRectF(4, 4, 24, 24), tone, current_theme().tones[tone])
+    painter.end()
+    icon = QIcon(picture)
+    icon.addPixmap(picture, QIcon.Mode.Selected)
+    return icon

@@ -1,0 +1,106 @@
+"""Words for what the engine names by keys."""
+
+from PySide6.QtCore import QCoreApplication
+
+from core.discrepancy.result import UNKNOWN, Candidate, Fitted
+from core.model.catalogue.listing import CATALOGUE
+from gui.widgets.number_text import significant, value_and_uncertainty
+from gui.widgets.states import Tone
+
+TONES = {
+    "adequate": Tone.GOOD,
+    "explained": Tone.ACTION,
+    "ambiguous": Tone.DOUBT,
+    "unexplained_structure": Tone.DOUBT,
+    "excess_noise": Tone.DOUBT,
+    "data_fault": Tone.BAD,
+    "not_enough_data": Tone.IDLE,
+}
+
+
+def phase_words(key: str) -> str:
+    """Which part of the work is being done."""
+    words = {
+        "reading": QCoreApplication.translate("Discrepancy", "Reading the rows …"),
+        "floor": QCoreApplication.translate("Discrepancy", "Estimating the noise floor …"),
+        "where": QCoreApplication.translate("Discrepancy", "Looking where the residuals are …"),
+        "search": QCoreApplication.translate("Discrepancy", "Trying all effects, also in sets …"),
+        "steps": QCoreApplication.translate(
+            "Discrepancy", "Fitting what was found, and what could decide …"
+        ),
+        "add": QCoreApplication.translate("Discrepancy", "Fitting the model with the effect …"),
+        "play": QCoreApplication.translate("Discrepancy", "Playing the rows with the model …"),
+    }
+    return words[key]
+
+
+def verdict_words(verdict: str) -> str:
+    """The verdict as a headline."""
+    words = {
+        "adequate": QCoreApplication.translate("Discrepancy", "The model explains the data"),
+        "explained": QCoreApplication.translate("Discrepancy", "An effect is missing, and named"),
+        "ambiguous": QCoreApplication.translate(
+            "Discrepancy", "An effect is missing; several names fit"
+        ),
+        "unexplained_structure": QCoreApplication.translate(
+            "Discrepancy", "Structure that no effect explains"
+        ),
+        "excess_noise": QCoreApplication.translate("Discrepancy", "More noise than is stated"),
+        "data_fault": QCoreApplication.translate("Discrepancy", "The data are at fault"),
+        "not_enough_data": QCoreApplication.translate("Discrepancy", "Too few rows to tell"),
+    }
+    return words[verdict]
+
+
+def regressor_words(key: str) -> str:
+    """A regressor by its name; columns of a record keep theirs."""
+    words = {
+        "head_deg": QCoreApplication.translate("Discrepancy", "Head angle"),
+        "set_rate_dps": QCoreApplication.translate("Discrepancy", "Set rate"),
+        "a_x": QCoreApplication.translate("Discrepancy", "a_x, along case X"),
+        "a_y": QCoreApplication.translate("Discrepancy", "a_y, along case Y"),
+        "a_z": QCoreApplication.translate("Discrepancy", "a_z, along case Z"),
+        "order": QCoreApplication.translate("Discrepancy", "Order of measuring"),
+        "t_s": QCoreApplication.translate("Discrepancy", "Time"),
+        "temperature_c": QCoreApplication.translate("Discrepancy", "Temperature"),
+        "temperature_rate": QCoreApplication.translate("Discrepancy", "Rate of temperature"),
+        "position": QCoreApplication.translate("Discrepancy", "Position, number"),
+        "mount": QCoreApplication.translate("Discrepancy", "Mounting, number"),
+        "run": QCoreApplication.translate("Discrepancy", "Pass of the plan"),
+        "direction": QCoreApplication.translate("Discrepancy", "Direction of approach"),
+        "previous": QCoreApplication.translate("Discrepancy", "Setting before"),
+        "channel": QCoreApplication.translate("Discrepancy", "Output"),
+        "frequency_hz": QCoreApplication.translate("Discrepancy", "Frequency"),
+    }
+    return words.get(key, key)
+
+
+def unit_words(unit: str) -> str:
+    """A unit as it is printed."""
+    return {"deg": "°", "degC": "°C", "m/s^2": "m/s²", "deg/s": "°/s"}.get(unit, unit)
+
+
+def effect_words(identifier: str) -> str:
+    """The standard name of an effect."""
+    if identifier == UNKNOWN or identifier not in CATALOGUE:
+        return QCoreApplication.translate("Discrepancy", "Unexplained structure")
+    return CATALOGUE[identifier].name
+
+
+def fitted_words(each: Fitted) -> str:
+    """A number of an effect with its uncertainty."""
+    name, unit = each.name.replace("_", " "), unit_words(each.unit)
+    if each.u != each.u:
+        return f"{name} {significant(each.value, 5)} {unit}".rstrip()
+    value, u = value_and_uncertainty(each.value, each.u)
+    return f"{name} = {value} ± {u} {unit}".rstrip()
+
+
+def numbers_words(candidate: Candidate) -> str:
+    """The numbers of a candidate in one line."""
+    return ", ".join(fitted_words(each) for each in candidate.parameters)
+
+
+def p_words(p_value: float) -> str:
+    """A probability as it is compared with a level."""
+    return "p < 0.001" if p_value < 0.001 else f"p = {p_value:.3f}"
