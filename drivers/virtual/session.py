@@ -30,6 +30,8 @@ from drivers.virtual.operator import Operator
 
 RAW_NAME = "raw.calrec"
 _PAUSE_S = 0.001
+_UNDERWAY_S = 2.0
+"""More than what is read and not yet decoded."""
 _PATIENCE_S = 300.0
 """Seconds of the rig in which a step must succeed."""
 
@@ -127,8 +129,14 @@ def _outcomes(
     order: Order, walk: Measuring, operator: Operator, reader: Reader
 ) -> Iterator[Outcome]:
     """Yield acceptable outcomes; the caller accepts each before the next is sought."""
+    fresh = True
     while (step := walk.status.step) is not None:
-        operator.goto(step)
+        rest_s = operator.goto(step)
+        if fresh:
+            # A new walk knows no position yet: what was sent before the unit came to rest in the
+            # first one would pass for it.
+            _pass_over(order, reader, rest_s)
+            fresh = False
         walk.set_hands_free(True)
         waited = 0.0
         outcome = None
@@ -144,6 +152,15 @@ def _outcomes(
             if waited > _PATIENCE_S:
                 raise LinkError(order.url, f"{step.group}, step {step.number}: {walk.status.text}")
         yield outcome
+
+
+def _pass_over(order: Order, reader: Reader, seconds: float) -> None:
+    """Let the rig's time go on, and drop what comes meanwhile."""
+    rig = rig_of(order.url)
+    end = rig.state.time_s + seconds + _UNDERWAY_S
+    while rig.state.time_s < end:
+        for _ in _blocks(order, reader):
+            pass
 
 
 def _blocks(order: Order, reader: Reader) -> Iterator[SampleBlock]:
