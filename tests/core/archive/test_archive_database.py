@@ -150,8 +150,9 @@ def test_a_read_only_folder_is_searched_and_stays_as_it_is(filled: Path, tmp_pat
     (tmp_path / "own").mkdir()
     for path in [filled, *filled.rglob("*")]:
         path.chmod(0o555 if path.is_dir() else 0o444)
-    for path in [tmp_path, *tmp_path.parents[:2]]:
-        path.chmod(path.stat().st_mode | 0o055)
+    for path in [tmp_path, *tmp_path.parents]:
+        if path.stat().st_mode & 0o055 != 0o055:
+            path.chmod(path.stat().st_mode | 0o055)
     try:
         done = subprocess.run(
             [sys.executable, "-c", VISITOR, str(filled), str(tmp_path / "own")],
