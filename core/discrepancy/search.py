@@ -19,6 +19,7 @@ _GROSS, _AHEAD = 60.0, 30.0
 _UNKNOWN_COST = 0.5
 _ROUNDS = 3
 _FINEST = 0.02
+_CHORDS = 4
 _FAR, _IMPLAUSIBLE = 15.0, -4.6
 
 
@@ -218,7 +219,19 @@ class Search:
                 best, gain = trials[int(np.argmax(gains))], max(gains)
             else:
                 fraction /= 2.0
+        for _ in range(_CHORDS):
+            effect = best.instance.effect.at(self._values(best, others))
+            if effect is best.instance.effect:
+                break
+            best = self.remade(slot, Instance(effect, slot.instance.channel))
         return best
+
+    def _values(self, slot: Slot, others: State) -> FloatArray:
+        """Values of a slot's columns given what else is in the model."""
+        rest = self.bank.space.rest(slot.raw)
+        rest = rest - others.added @ (others.added.T @ rest)
+        values = np.linalg.lstsq(rest, others.residual, rcond=None)[0]
+        return np.asarray(values, dtype=np.float64)
 
     def remade(self, slot: Slot, instance: Instance) -> Slot:
         """A slot of another instance of the same effect."""

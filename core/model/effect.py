@@ -175,6 +175,10 @@ class Effect(ABC):
         """Instances whose shape is so much of a grid step smaller and larger, to refine a grid."""
         return ()
 
+    def at(self, values: FloatArray) -> "Effect":
+        """The instance whose columns are right for values (p,) that are not small."""
+        return self
+
     def relabel(self, stimulus: Stimulus, y: FloatArray) -> tuple[Stimulus, FloatArray]:
         """Put right what the rows say; `y` is (n, c). Only for relabelling effects."""
         return stimulus, y

@@ -37,6 +37,15 @@ class _RowFault(Effect):
         return (np.arange(len(stimulus)) == self._row).astype(np.float64)
 
 
+def _per_degree(stimulus: Stimulus, sensor: Sensor, about_deg: float) -> FloatArray:
+    """Output (n,) per degree of the head: of the chord of an angle, or the slope if it is 0."""
+    turn = RAD_PER_DEG * about_deg
+    if turn == 0.0:
+        return RAD_PER_DEG * per_head_angle(stimulus, sensor)
+    back = (np.cos(turn) - 1.0) * ideal(stimulus, sensor)
+    return (back + np.sin(turn) * per_head_angle(stimulus, sensor)) / about_deg
+
+
 class Outlier(_RowFault):
     """One accumulation that was disturbed."""
 
@@ -79,13 +88,21 @@ class WrongAngle(_RowFault):
     confused_with = ("outlier", "wrong_stop")
     typical = {"accelerometer": 1.0}  # noqa: RUF012
 
+    def __init__(self, row: int = 0, about_deg: float = 0.0) -> None:
+        super().__init__(row)
+        self._about = about_deg
+
+    def at(self, values: FloatArray) -> Effect:
+        """By the chord of that angle instead of the slope."""
+        return WrongAngle(self._row, float(values[0]))
+
     def parameters(self, sensor: Sensor) -> tuple[Parameter, ...]:
         """One: deg."""
         return (Parameter("angle_error", "d", "deg"),)
 
     def columns(self, stimulus: Stimulus, sensor: Sensor) -> FloatArray:
         """The slope at the row."""
-        return column(RAD_PER_DEG * per_head_angle(stimulus, sensor) * self.here(stimulus))
+        return column(_per_degree(stimulus, sensor, self._about) * self.here(stimulus))
 
     def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
         """Every row."""
@@ -115,8 +132,12 @@ class WrongStop(Effect):
     confused_with = ("wrong_angle",)
     typical = {"accelerometer": 0.05}  # noqa: RUF012
 
-    def __init__(self, mount: float = 0.0, head_deg: float = 0.0) -> None:
-        self._mount, self._head = mount, head_deg
+    def __init__(self, mount: float = 0.0, head_deg: float = 0.0, about_deg: float = 0.0) -> None:
+        self._mount, self._head, self._about = mount, head_deg, about_deg
+
+    def at(self, values: FloatArray) -> Effect:
+        """By the chord of that angle instead of the slope."""
+        return WrongStop(self._mount, self._head, float(values[0]))
 
     @property
     def shape(self) -> tuple[tuple[Parameter, float], ...]:
@@ -134,7 +155,7 @@ class WrongStop(Effect):
         """The slope at the position."""
         head = np.mod(stimulus.column("head_deg"), 360.0)
         here = (stimulus.column("mount") == self._mount) & (head == self._head)
-        return column(RAD_PER_DEG * per_head_angle(stimulus, sensor) * here)
+        return column(_per_degree(stimulus, sensor, self._about) * here)
 
     def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
         """Every position that was visited more than once."""

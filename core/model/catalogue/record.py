@@ -32,12 +32,14 @@ def lagged(values: FloatArray, t_s: FloatArray, tau_s: float) -> FloatArray:
     return found
 
 
-def played(values: FloatArray, width: float) -> FloatArray:
-    """The play operator (n,): it follows only what pushes it further than half a width."""
+def branch(values: FloatArray, width: float, start: float) -> FloatArray:
+    """Where a play operator of that width stands (n,): -1 and 1 on its two branches."""
+    half = 0.5 * width
     found = np.empty_like(values)
-    found[0] = values[0]
-    for i in range(1, len(values)):
-        found[i] = min(max(found[i - 1], values[i] - 0.5 * width), values[i] + 0.5 * width)
+    memory = values[0] - start * half
+    for i, value in enumerate(values):
+        memory = min(max(memory, value - half), value + half)
+        found[i] = (value - memory) / half
     return found
 
 
@@ -144,48 +146,53 @@ class ThermalHysteresis(_Thermal):
 
     Parameters
     ----------
-    width : of the loop, degC
+    width : change of temperature that leads from one branch to the other, degC
+    start : branch on which the record begins, -1 to 1
     """
 
     id = "thermal_hysteresis"
     name = "Thermal hysteresis"
     plain = "warming and cooling leave another bias at the same temperature, however slowly"
-    equation = "bH * play(T, width)"
-    seen_as = "a loop against temperature that slow changes do not close"
+    equation = "bH * (T - play(T)) / half width"
+    seen_as = "two branches against temperature that slow changes do not close"
     remedy = "approach temperatures from one side; state the two branches"
-    confused_with = ("thermal_lag", "bias_temperature")
+    confused_with = ("thermal_lag", "bias_jump", "telegraph")
     typical = {"accelerometer": 0.1, "gyro": 0.02}  # noqa: RUF012
 
-    def __init__(self, width: float = 1.0) -> None:
-        self._width = width
+    def __init__(self, width: float = 1.0, start: float = 0.0) -> None:
+        self._width, self._start = width, start
 
     @property
     def shape(self) -> tuple[tuple[Parameter, float], ...]:
-        """The width of the loop."""
-        return ((Parameter("width", "w", "degC"), self._width),)
+        """The width of the loop, and where it begins."""
+        width = Parameter("width", "w", "degC")
+        return ((width, self._width), (Parameter("start", "", ""), self._start))
 
     def parameters(self, sensor: Sensor) -> tuple[Parameter, ...]:
-        """One: mg/degC or (deg/s)/degC."""
-        return (Parameter("thermal_hysteresis", "b_H", f"{small_unit(sensor)}/degC"),)
+        """One: half the distance of the branches, mg or deg/s."""
+        return (Parameter("thermal_hysteresis", "b_H", small_unit(sensor)),)
 
     def columns(self, stimulus: Stimulus, sensor: Sensor) -> FloatArray:
-        """The temperature with play, from its mean."""
-        warm = played(stimulus.column("temperature_c"), self._width)
-        return column(small_gain(sensor) * (warm - warm.mean()))
+        """-1 on the branch of cooling, 1 on that of warming."""
+        warm = stimulus.column("temperature_c")
+        return column(small_gain(sensor) * branch(warm, self._width, self._start))
 
     def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
-        """Widths up to nine tenths of the range, if the temperature turned."""
-        warm = stimulus.column("temperature_c")
-        span = float(np.ptp(warm))
-        return_trip = span - abs(float(warm[-1] - warm[0]))
-        if not return_trip > 0.05 * span > 0.0:
-            return ()
-        return tuple(ThermalHysteresis(share * span) for share in grid(0.06, 0.9, 8))
+        """Widths up to three quarters of the range, beginning on either branch or between."""
+        span = float(np.ptp(stimulus.column("temperature_c")))
+        return tuple(
+            ThermalHysteresis(share * span, start)
+            for share in grid(0.02, 0.75, 10)
+            for start in (-1.0, 0.0, 1.0)
+        )
 
     def near(self, fraction: float = 1.0) -> tuple[Effect, ...]:
         """A little narrower and wider."""
         step = 1.2**fraction
-        return (ThermalHysteresis(self._width / step), ThermalHysteresis(self._width * step))
+        return (
+            ThermalHysteresis(self._width / step, self._start),
+            ThermalHysteresis(self._width * step, self._start),
+        )
 
 
 class _Channel(Effect):
