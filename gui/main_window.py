@@ -120,6 +120,8 @@ class MainWindow(QMainWindow):
         self.addDockWidget(Qt.DockWidgetArea.BottomDockWidgetArea, self._adc)
         self._adc.hide()
         self._stop, self._start = QAction(self), QAction(self)
+        self._hidden: tuple[QDockWidget, ...] = ()
+        self._before_distant = self.windowState()
         self._build()
         self._build_menu()
         self._connect()
@@ -195,6 +197,20 @@ class MainWindow(QMainWindow):
             self.resizeDocks([self._dock], [panel.minimumWidth()], Qt.Orientation.Horizontal)
         self._dock.setVisible(panel is not None)
         self._dock.toggleViewAction().setVisible(panel is not None)
+
+    def set_distant(self, distant: bool) -> None:
+        """Give the whole screen to what is laid over the window, or take it back."""
+        if distant:
+            self._before_distant = self.windowState()
+            self._hidden = tuple(d for d in (self._dock, self._adc) if d.isVisible())
+            for dock in self._hidden:
+                dock.hide()
+            self.setWindowState(self._before_distant | Qt.WindowState.WindowFullScreen)
+        else:
+            self.setWindowState(self._before_distant)
+            for dock in self._hidden:
+                dock.show()
+            self._hidden = ()
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)

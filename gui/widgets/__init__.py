@@ -15,6 +15,7 @@ Parts of the measuring tabs
 
 ================  ==================================================================
 stage             the line that is read from three metres, with its picture
+distance_view     the same over the whole window
 progress_ring     share and seconds left
 pose_geometry     where the case axes point in the picture
 position_picture  how the unit stands on the dividing head

@@ -1,6 +1,6 @@
 """The main stage: what to do now, legible from three metres."""
 
-from PySide6.QtCore import QEvent, QRectF, QSize, Qt, QTimer
+from PySide6.QtCore import QEvent, QRectF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QColor,
     QFont,
@@ -26,6 +26,9 @@ _BAR_PX = 8
 
 class Stage(QWidget):
     """Picture, headline, detail and ring of one `StageState`."""
+
+    rendered = Signal(object)
+    """The `StageState` that is now shown."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -84,6 +87,12 @@ class Stage(QWidget):
         self.setAccessibleName(state.headline)
         self.setAccessibleDescription(state.detail)
         self.update()
+        self.rendered.emit(state)
+
+    @property
+    def state(self) -> StageState:
+        """What is shown."""
+        return self._state
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
