@@ -74,8 +74,6 @@ def grade_of(told: Explanation) -> tuple[TableState, ...]:
         QCoreApplication.translate("Discrepancy", "effect"),
         QCoreApplication.translate("Discrepancy", "named from"),
         QCoreApplication.translate("Discrepancy", "usual"),
-        QCoreApplication.translate("Discrepancy", "unit"),
-        QCoreApplication.translate("Discrepancy", "looks the same here"),
     )
     visible = TableState(
         QCoreApplication.translate("Discrepancy", "Smallest effects that these rows would name"),
@@ -86,14 +84,25 @@ def grade_of(told: Explanation) -> tuple[TableState, ...]:
         tuple(
             (
                 each.name,
-                significant(each.size, 3),
+                f"{significant(each.size, 3)} {unit_words(each.unit)}",
                 "" if math.isnan(each.typical) else significant(each.typical, 2),
-                unit_words(each.unit),
-                ", ".join(effect_words(alias) for alias in each.aliases),
             )
             for each in told.smallest
         ),
     )
+    tables = [visible]
+    tied = tuple(
+        (each.name, ", ".join(effect_words(alias) for alias in each.aliases))
+        for each in told.smallest
+        if each.aliases
+    )
+    if tied:
+        title = QCoreApplication.translate("Discrepancy", "Looks the same in these rows")
+        head = (
+            QCoreApplication.translate("Discrepancy", "effect"),
+            QCoreApplication.translate("Discrepancy", "as"),
+        )
+        tables.append(TableState(title, "", head, tied, 2))
     hidden = [
         *(
             (
@@ -113,10 +122,10 @@ def grade_of(told: Explanation) -> tuple[TableState, ...]:
         ),
     ]
     if not hidden:
-        return (visible,)
+        return tuple(tables)
     title = QCoreApplication.translate("Discrepancy", "Not to be seen in these rows")
     head = (QCoreApplication.translate("Discrepancy", "effect"), "")
-    return visible, TableState(title, "", head, tuple(hidden), 2)
+    return (*tables, TableState(title, "", head, tuple(hidden), 2))
 
 
 def _card(number: int, step: Step) -> ProposalCard:

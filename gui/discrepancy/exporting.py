@@ -56,7 +56,7 @@ class Exporting(QObject):
             ("pdf", QCoreApplication.translate("Discrepancy", "Report, PDF")),
             ("html", QCoreApplication.translate("Discrepancy", "Report, HTML")),
             ("json", QCoreApplication.translate("Discrepancy", "Results, JSON")),
-            ("model", QCoreApplication.translate("Discrepancy", "Model with the effects, JSON")),
+            ("model", QCoreApplication.translate("Discrepancy", "Model, JSON")),
         )
 
     def propose(self, key: str) -> str:

@@ -64,12 +64,16 @@ class FindingsView(QWidget):
             self.pages.addTab(scroll, "")
             self._columns.append(column)
         self._formats, self._name, self._export = ChoiceField(), QLineEdit(), QPushButton()
+        self._formats.setMinimumContentsLength(12)
+        self._formats.setSizeAdjustPolicy(
+            ChoiceField.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+        )
         self._formats.activated.connect(self._on_format)
         self._name.returnPressed.connect(self.export)
         self._export.clicked.connect(self.export)
         foot = QHBoxLayout()
-        foot.addWidget(self._formats)
-        foot.addWidget(self._name, 1)
+        foot.addWidget(self._formats, 1)
+        foot.addWidget(self._name, 2)
         foot.addWidget(self._export)
         column = QVBoxLayout(self)
         column.setContentsMargins(unit // 2, unit // 2, unit // 2, unit // 2)

@@ -9,7 +9,7 @@ from PySide6.QtGui import QColor, QFont, QImage, QImageWriter, QPainter
 
 from gui.discrepancy.cause_view import paint_cause
 from gui.discrepancy.ladder_view import GapBar, largest_of
-from gui.discrepancy.plots_view import PlotsView
+from gui.discrepancy.plots_view import RowsPlot
 from gui.discrepancy.state import PictureState, RungState
 from gui.widgets.theme import FAMILY, current_theme, paper_look
 
@@ -36,18 +36,19 @@ def ladder_picture(rungs: tuple[RungState, ...]) -> str:
     return _image(size, paint, "")
 
 
-def plot_picture(picture: PictureState, *, after: bool) -> str:
+def plot_picture(picture: PictureState) -> str:
     """The residual against its regressor with the band, as HTML."""
     size = QSize(660, 300)
 
     def paint(painter: QPainter) -> None:
-        plots = PlotsView()
-        plots.resize(size.width(), 700)
-        plots.left.resize(size)
-        plots.draw(picture, after=after)
-        plots.left.grab()
-        plots.paint(painter, size)
-        plots.close_plots()
+        plot = RowsPlot()
+        plot.resize(size)
+        plot.draw_residual(picture)
+        # A plot that was never seen has no layout yet.
+        plot.grab()
+        plot.grab()
+        plot.paint(painter, size)
+        plot.close()
 
     return _image(size, paint, picture.title)
 

@@ -11,15 +11,19 @@ from gui.discrepancy.words import p_words, regressor_words, unit_words
 from gui.discrepancy.working import Story, left_over
 
 _NOTHING = np.zeros(0)
+_COUNTED = ("position", "mount", "run", "direction", "order", "channel")
 
 
 def where_of(story: Story, *, after: bool) -> tuple[Where, ...]:
     """Regressors of the plain model's residuals, or of those with the added effects.
 
-    The most significant stand first, and among equals those that explain most.
+    The most significant stand first; among equals what was set, by how much it explains, before
+    what only counts.
     """
     found = story.told.where_after if after else story.told.where
-    return tuple(sorted(found, key=lambda one: (one.p_value, -one.share)))
+    return tuple(
+        sorted(found, key=lambda one: (one.p_value, one.regressor in _COUNTED, -one.share))
+    )
 
 
 def picture_of(
@@ -38,9 +42,10 @@ def picture_of(
     near = _nearest(x, where.knots)
     mean = _means(residual, near, len(where.knots))
     same = channel == where.shown
-    marked = (np.abs(mean) > where.band) & np.isfinite(mean) if same else np.zeros(len(mean))
-    band, curve = (where.band, where.curve) if same else (_NOTHING, _NOTHING)
     significant = where.p_value < SIGNIFICANT and same
+    # Without structure in this regressor a point outside is one of the five in a hundred.
+    marked = np.abs(mean) > where.band if significant else np.zeros(len(mean))
+    band, curve = (where.band, where.curve) if same else (_NOTHING, _NOTHING)
     worst = int(np.argmin(np.abs(where.knots - where.worst_value))) if significant else -1
     preview = _NOTHING
     if candidate is not None:

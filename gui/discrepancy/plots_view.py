@@ -4,8 +4,7 @@ from typing import Any
 
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtCore import QEvent, QSize, Qt, Signal
-from PySide6.QtGui import QPainter
+from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSplitter, QVBoxLayout, QWidget
 
 from core.arrays import FloatArray
@@ -23,6 +22,11 @@ _MEASURED, _SIMULATED, _AGAIN, _CURVE, _PREVIEW, _BAND = 0, 1, 3, 4, 2, 5
 
 class RowsPlot(Plot):
     """Points of two kinds, and stretches of the axis that are marked."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent=parent)
+        # The same for all, so that points of one row stand one above the other.
+        self._axes["left"].setWidth(round(5.8 * self.fontMetrics().height()))
 
     def follow(self, other: "RowsPlot") -> None:
         """Show the same stretch of the axis as another plot."""
@@ -58,6 +62,28 @@ class RowsPlot(Plot):
         item.setPos(x, y)
         item.setZValue(20)
         self._add(item, lambda theme: item.setColor(theme.tones[Tone.BAD]))
+
+    def draw_residual(self, picture: PictureState) -> None:
+        """Draw the residual, its band, and where it leaves it."""
+        self.clear_items()
+        label = self.tr("measured − simulated, {unit}").format(unit=picture.unit)
+        self.set_labels(picture.x_label, label)
+        if len(picture.band):
+            for low, high in stretches(picture.knots, picture.marked):
+                self.add_stretch(low, high)
+            self.add_band(picture.knots, -picture.band, picture.band, _BAND)
+        self.add_points(picture.x, picture.residual, _MEASURED)
+        if len(picture.again):
+            self.add_crosses(picture.x, picture.again, _AGAIN)
+        if len(picture.curve):
+            self.add_curve(picture.knots, picture.curve, _CURVE)
+        if len(picture.preview):
+            self.add_curve(picture.knots, picture.preview, _PREVIEW, dashed=True)
+        there = picture.marked > 0
+        self.add_alarm(picture.knots[there], picture.mean[there])
+        if picture.worst >= 0:
+            at = float(picture.mean[picture.worst])
+            self.add_words(float(picture.knots[picture.worst]), at, picture.worst_words, at > 0)
 
 
 class PlotsView(QWidget):
@@ -130,34 +156,15 @@ class PlotsView(QWidget):
 
     def draw(self, picture: PictureState, *, after: bool) -> None:
         """Draw both plots."""
-        rows, left = self.rows, self.left
+        rows = self.rows
         rows.clear_items()
-        left.clear_items()
         rows.set_labels("", self.tr("output, {unit}").format(unit=picture.unit))
-        left.set_labels(
-            picture.x_label, self.tr("measured − simulated, {unit}").format(unit=picture.unit)
-        )
         rows.add_points(picture.x, picture.measured, _MEASURED)
         rows.add_crosses(picture.x, picture.simulated, _SIMULATED)
-        if len(picture.band):
-            for low, high in stretches(picture.knots, picture.marked):
-                left.add_stretch(low, high)
-            left.add_band(picture.knots, -picture.band, picture.band, _BAND)
-        left.add_points(picture.x, picture.residual, _MEASURED)
-        if len(picture.again):
-            left.add_crosses(picture.x, picture.again, _AGAIN)
-        if len(picture.curve):
-            left.add_curve(picture.knots, picture.curve, _CURVE)
-        if len(picture.preview):
-            left.add_curve(picture.knots, picture.preview, _PREVIEW, dashed=True)
-        there = picture.marked > 0
-        left.add_alarm(picture.knots[there], picture.mean[there])
-        if picture.worst >= 0:
-            at = float(picture.mean[picture.worst])
-            left.add_words(float(picture.knots[picture.worst]), at, picture.worst_words, at > 0)
+        self.left.draw_residual(picture)
         self._render_legends(picture, after)
         rows.show_everything()
-        left.show_everything()
+        self.left.show_everything()
 
     def _render_legends(self, picture: PictureState, after: bool) -> None:
         model = self.tr("simulated, plain model")
@@ -178,10 +185,6 @@ class PlotsView(QWidget):
         if len(picture.again):
             entries.append(LegendEntry(self.tr("the model, played"), _AGAIN, _CROSS))
         self.legend_left.set_entries(tuple(entries))
-
-    def paint(self, painter: QPainter, size: QSize) -> None:
-        """Draw the plot of the residual on any painter, for export."""
-        self.left.paint(painter, size)
 
     def close_plots(self) -> None:
         """Close the plots: panels of pyqtgraph would outlive them as windows."""

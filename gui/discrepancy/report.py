@@ -19,6 +19,7 @@ from gui.discrepancy.words import (
     fitted_words,
     p_words,
     regressor_words,
+    summary_words,
     verdict_words,
 )
 from gui.discrepancy.working import Story, all_added
@@ -61,7 +62,7 @@ def sections_of(story: Story) -> tuple[str, ...]:
     )
     pieces = [
         f"<h1>{escape(title_of(story))}</h1><p>{escape(rows)}</p>"
-        f"<h2>{escape(verdict_words(told.verdict))}</h2><p>{escape(told.summary)}</p>"
+        f"<h2>{escape(verdict_words(told.verdict))}</h2><p>{escape(summary_words(told))}</p>"
     ]
     rungs = rungs_of(whole)
     if rungs:
@@ -131,7 +132,7 @@ def _plots(story: Story) -> list[str]:
                 )
                 pieces.append(
                     f"<h3>{escape(heading)}</h3><p>{escape(picture.title)}</p>"
-                    f"<p>{plot_picture(picture, after=after)}</p>"
+                    f"<p>{plot_picture(picture)}</p>"
                 )
     return pieces
 

@@ -5,7 +5,7 @@ from PySide6.QtCore import QCoreApplication
 from core.discrepancy.result import Explanation
 from gui.discrepancy.ladder_rows import SIGNIFICANT
 from gui.discrepancy.state import StoryState
-from gui.discrepancy.words import TONES, verdict_words
+from gui.discrepancy.words import TONES, summary_words, verdict_words
 from gui.discrepancy.working import Story
 from gui.widgets.number_text import fixed
 from gui.widgets.states import ActionBarState, ActionItem, Tone
@@ -87,7 +87,7 @@ def judgement_of(told: Explanation, proposed: Explanation | None) -> tuple[str, 
     """Headline, sentence and tone; before anything was looked for only whether the model holds."""
     if proposed is not None or told.verdict == "not_enough_data":
         judged = told if proposed is None else proposed
-        return verdict_words(judged.verdict), judged.summary, TONES[judged.verdict]
+        return verdict_words(judged.verdict), summary_words(judged), TONES[judged.verdict]
     rejected = any(one.p_value < SIGNIFICANT for one in told.where)
     gap = fixed(told.before.gap, 2)
     if rejected:

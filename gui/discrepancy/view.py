@@ -75,7 +75,7 @@ class DiscrepancyView(QWidget):
         left.addWidget(self.ladder)
         left.addWidget(lower)
         left.setChildrenCollapsible(False)
-        left.setSizes([26 * unit, 20 * unit])
+        left.setSizes([30 * unit, 15 * unit])
         self.hint.setWordWrap(True)
         self.hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.hint.setTextFormat(Qt.TextFormat.PlainText)

@@ -2,9 +2,9 @@
 
 from PySide6.QtCore import QCoreApplication
 
-from core.discrepancy.result import UNKNOWN, Candidate, Fitted
+from core.discrepancy.result import UNKNOWN, Candidate, Explanation, Fitted, Step
 from core.model.catalogue.listing import CATALOGUE
-from gui.widgets.number_text import significant, value_and_uncertainty
+from gui.widgets.number_text import MINUS, fixed, value_and_uncertainty
 from gui.widgets.states import Tone
 
 TONES = {
@@ -77,7 +77,10 @@ def regressor_words(key: str) -> str:
 
 def unit_words(unit: str) -> str:
     """A unit as it is printed."""
-    return {"deg": "°", "degC": "°C", "m/s^2": "m/s²", "deg/s": "°/s"}.get(unit, unit)
+    text = {"deg": "°", "arcsec": "″"}.get(unit, unit)
+    for plain, printed in (("degC", "°C"), ("deg/s", "°/s"), ("^2", "²"), ("^3", "³")):
+        text = text.replace(plain, printed)
+    return text
 
 
 def effect_words(identifier: str) -> str:
@@ -91,7 +94,7 @@ def fitted_words(each: Fitted) -> str:
     """A number of an effect with its uncertainty."""
     name, unit = each.name.replace("_", " "), unit_words(each.unit)
     if each.u != each.u:
-        return f"{name} {significant(each.value, 5)} {unit}".rstrip()
+        return f"{name} {each.value:.5g} {unit}".rstrip().replace("-", MINUS)
     value, u = value_and_uncertainty(each.value, each.u)
     return f"{name} = {value} ± {u} {unit}".rstrip()
 
@@ -99,6 +102,32 @@ def fitted_words(each: Fitted) -> str:
 def numbers_words(candidate: Candidate) -> str:
     """The numbers of a candidate in one line."""
     return ", ".join(fitted_words(each) for each in candidate.parameters)
+
+
+def summary_words(told: Explanation) -> str:
+    """One or two sentences about an explanation."""
+    closing = QCoreApplication.translate(
+        "Discrepancy", "The gap goes from {before} to {after} noise floors."
+    ).format(before=fixed(told.before.gap, 2), after=fixed(told.after.gap, 2))
+    named = "; ".join(_either(step) for step in told.steps)
+    words = {
+        "adequate": QCoreApplication.translate(
+            "Discrepancy",
+            "No effect stands out of the noise. The last page tells how small an effect these rows"
+            " could have shown.",
+        ),
+        "explained": QCoreApplication.translate("Discrepancy", "{named}. {closing}"),
+        "data_fault": QCoreApplication.translate("Discrepancy", "{named}. {closing}"),
+        "ambiguous": QCoreApplication.translate("Discrepancy", "{named}. {closing}"),
+        "unexplained_structure": QCoreApplication.translate("Discrepancy", "{named}. {closing}"),
+    }
+    template = words.get(told.verdict)
+    return told.summary if template is None else template.format(named=named, closing=closing)
+
+
+def _either(step: Step) -> str:
+    names = [step.name, *(effect_words(each) for each in step.indistinguishable_from)]
+    return QCoreApplication.translate("Discrepancy", " or ").join(names)
 
 
 def p_words(p_value: float) -> str:
