@@ -47,7 +47,7 @@ class Status:
     phase : where the walk stands
     step : the current step, None when all are done
     progress : share of the settling or accumulation time that has passed, 0 to 1
-    remaining_s : seconds that it still takes
+    remaining_s : seconds that it still takes; while ready, of the settling after the last motion
     text : the sentence of the last doubt, empty if there is none
     candidates : numbers of the steps that the unit seems to stand in, while it stands wrong
     """
@@ -122,6 +122,8 @@ class Measuring:
         self._hands_free = False
         self._phase = Phase.READY
         self._settled = 0
+        self._rested = self._settle_samples
+        """Samples at rest since the last motion, no more than are waited for."""
         self._text = ""
         self._candidates: tuple[int, ...] = ()
         self._still = StillnessDetector(rate, checked)
@@ -138,6 +140,9 @@ class Measuring:
             remaining = self._accumulator.remaining_s
         elif self._phase is Phase.SETTLING:
             progress = min(self._settled / self._settle_samples, 1.0)
+            remaining = (1.0 - progress) * self._settle_samples / self._rate
+        elif self._phase is Phase.READY and self._rested < self._settle_samples:
+            progress = self._rested / self._settle_samples
             remaining = (1.0 - progress) * self._settle_samples / self._rate
         standing = self._candidates if self._phase is Phase.WRONG else ()
         return Status(self._phase, step, progress, remaining, self._text, standing)
@@ -193,6 +198,9 @@ class Measuring:
             return self._finish() if self._accumulator.feed(block) else None
         if self._still.full and not self._still.at_rest:
             self._at_step = None
+            self._rested = 0
+        else:
+            self._rested = min(self._rested + len(block.index), self._settle_samples)
         if self._hands_free and self._phase is not Phase.FINISHED:
             self._watch(len(block.index))
         return None

@@ -1,6 +1,6 @@
 """What the operator is told: the large line of the stage, and banners about positions."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from core.errors import Severity
 from core.plans.plan import Step
@@ -95,8 +95,17 @@ def _of_phase(status: Status, step: Step, scene: Scene) -> StageState:
     headline = words.headline(step, scene.last_mount)
     match status.phase:
         case Phase.READY:
-            then = f"Then press Space to accumulate {words.time(step, scene.settings)}."
-            return _still(headline, asked + then, pose, following)
+            time = words.time(step, scene.settings)
+            if status.remaining_s > 0.0:
+                then = f"It settles; then press Space to accumulate {time}."
+                return replace(
+                    _still(headline, asked + then, pose, following),
+                    progress=status.progress,
+                    remaining_s=status.remaining_s,
+                )
+            return _still(
+                headline, f"{asked}Then press Space to accumulate {time}.", pose, following
+            )
         case Phase.TURN:
             return _still(headline, asked + words.by_itself, pose, following)
         case Phase.MOVING:

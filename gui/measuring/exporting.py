@@ -87,6 +87,10 @@ class Exporting(QObject):
 
         self._jobs.start("export", work, self._on_done, self._on_failed)
 
+    def forget(self) -> None:
+        """What was exported is no longer on the screen: take the word of it away."""
+        self._messages.clear(self._source)
+
     def _on_done(self, path: object) -> None:
         self._messages.show(self._source, BannerState(Severity.INFO, "Exported", str(path)))
 

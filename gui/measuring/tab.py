@@ -189,7 +189,9 @@ class MeasuringTab(Generic[S], QObject):
     def _on_results(self) -> None:
         page = self.results.page
         self.view.results.render(page)
-        if page is not None:
+        if page is None:
+            self.exporting.forget()
+        else:
             self._on_format(self.exporting.chosen)
 
     def _on_format(self, key: str) -> None:

@@ -1,7 +1,7 @@
 """The line that says whether the device is there and well."""
 
 from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPalette
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPalette, QResizeEvent
 from PySide6.QtWidgets import (
     QComboBox,
     QHBoxLayout,
@@ -25,6 +25,10 @@ _LINK_TONE = {
     LinkMark.SILENT: Tone.DOUBT,
     LinkMark.LOST: Tone.BAD,
 }
+
+
+_LEAST_NEEDED = ("received_bytes", "frames")
+"""Counters that give way, in this order; faults never do."""
 
 
 class DeviceStrip(QWidget):
@@ -56,7 +60,7 @@ class DeviceStrip(QWidget):
             for name in ("frames", "received_bytes", "bad_checksum", "lost", "garbage")
         }
         self._temperature = QLabel()
-        row = QHBoxLayout(self)
+        row = self._row = QHBoxLayout(self)
         row.setContentsMargins(unit, unit // 3, unit, unit // 3)
         row.setSpacing(round(0.6 * unit))
         row.addWidget(self._device)
@@ -99,6 +103,28 @@ class DeviceStrip(QWidget):
         if state.temperature_c is not None:
             self._temperature.setText(f"{locale.toString(state.temperature_c, 'f', 1)} °C")
         self.setAccessibleName(f"{self._device.currentText()} {self._port.text()} {link}")
+        self._fit()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit()
+
+    def minimumSizeHint(self) -> QSize:
+        size = super().minimumSizeHint()
+        narrow = sum(self._counters[name].sizeHint().width() for name in _LEAST_NEEDED)
+        return QSize(max(0, size.width() - narrow), size.height())
+
+    def _fit(self) -> None:
+        """Where the row is too narrow, leave out the counters that are needed least."""
+        counters = [self._counters[name] for name in _LEAST_NEEDED]
+        spacing = self._row.spacing()
+        needed = self.sizeHint().width() + sum(
+            counter.sizeHint().width() + spacing for counter in counters if counter.isHidden()
+        )
+        for counter in counters:
+            counter.setVisible(needed <= self.width())
+            if counter.isHidden():
+                needed -= counter.sizeHint().width() + spacing
 
     def _link_text(self, link: LinkMark) -> str:
         return {

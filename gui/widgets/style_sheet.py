@@ -46,7 +46,8 @@ QLineEdit:read-only {{ color: {text}; }}
 QAbstractSpinBox QLineEdit, QComboBox QLineEdit {{
     border: none; background: transparent; padding: 0; min-height: 0;
 }}
-QAbstractSpinBox {{ padding-left: 0.35em; padding-right: 1.5em; }}
+QAbstractSpinBox QLineEdit {{ padding-left: 0.35em; }}
+QAbstractSpinBox {{ padding-right: 1.5em; }}
 QAbstractSpinBox::up-button, QAbstractSpinBox::down-button {{
     subcontrol-origin: border; border: none; width: 1.4em; background: transparent;
 }}

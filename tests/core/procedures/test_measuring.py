@@ -91,6 +91,27 @@ def test_by_hand_through_all_eight() -> None:
     assert walk.done == {step.number for step in STEPS}
 
 
+def test_by_hand_the_settling_after_a_motion_is_counted_down_and_binds_nobody() -> None:
+    walk, head = a_walk(settle_s=2.0), Head()
+    run(walk, head.rest(3.0))
+    assert walk.status.remaining_s == 0.0
+    run(walk, head.turn(STEPS[1]))
+    assert walk.status.phase is Phase.READY
+    left = [walk.status.remaining_s]
+    for block in head.rest(4.0):
+        run(walk, iter([block]))
+        left.append(walk.status.remaining_s)
+    assert max(left) == pytest.approx(2.0)
+    # It falls to the end once the head rests.
+    falling = left[left.index(max(left)) :]
+    rest = falling[len(falling) - falling[::-1].index(max(left)) - 1 :]
+    assert rest == sorted(rest, reverse=True)
+    assert rest[-1] == 0.0
+    run(walk, head.turn(STEPS[2]))
+    walk.start()
+    assert walk.status.phase is Phase.MEASURING
+
+
 def test_hands_free_needs_no_touch_and_measures_each_position_once() -> None:
     walk, head = a_walk(), Head()
     walk.set_hands_free(True)

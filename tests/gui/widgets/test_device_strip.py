@@ -74,3 +74,16 @@ def test_signals(strip, qtbot):
     strip.device_chosen.connect(chosen.append)
     qtbot.keyClick(strip._device, Qt.Key.Key_Down)
     assert chosen == [1]
+
+
+def test_where_it_is_narrow_counters_give_way_and_the_rate_keeps_its_unit(strip):
+    wide = [not counter.isHidden() for counter in strip._counters.values()]
+    assert all(wide)
+    strip.resize(760, 40)
+    shown = {name for name, counter in strip._counters.items() if not counter.isHidden()}
+    assert {"bad_checksum", "lost", "garbage"} <= shown
+    assert "received_bytes" not in shown
+    text = strip._link.text()
+    assert strip._link.width() >= strip._link.fontMetrics().horizontalAdvance(text)
+    strip.resize(1280, 40)
+    assert not any(counter.isHidden() for counter in strip._counters.values())
