@@ -42,6 +42,10 @@ class Block:
     payload: bytes
     offset: int
 
+    def as_damage(self) -> "Damage":
+        """The same stretch of the file, for one whose payload holds nothing that is known."""
+        return Damage(self.offset, _BLOCK.size + len(self.payload))
+
 
 @dataclass(frozen=True, slots=True)
 class Damage:
@@ -129,17 +133,18 @@ class BlockWriter:
                 written += os.write(self._fd, data[written:])
         except OSError as error:
             if written:
-                self._take_back()
+                self._take_back(written)
             raise StorageError(f"{self.path}: cannot be written: {error.strerror}") from error
         self._end += len(data)
 
-    def _take_back(self) -> None:
+    def _take_back(self, written: int) -> None:
         """Remove the beginning of a block; if even that fails, readers pass over it."""
         try:
             os.ftruncate(self._fd, self._end)
             os.lseek(self._fd, self._end, os.SEEK_SET)
         except OSError:
-            return
+            # It stays, so that the next to be taken back must not begin before its end.
+            self._end += written
 
 
 def sync_file(path: Path) -> None:
@@ -235,8 +240,14 @@ def _read_header(file: BinaryIO, path: Path) -> tuple[dict[str, object], int]:
     text = file.read(length) if length <= _MAX_PAYLOAD else b""
     if zlib.crc32(text) != checksum or len(text) != length:
         raise FormatError(path, "the header of the record is damaged")
+    try:
+        header: object = json.loads(text)
+    except (ValueError, RecursionError) as error:
+        raise FormatError(path, f"the header of the record is damaged: {error}") from error
+    if not isinstance(header, dict):
+        raise FormatError(path, "the header of the record is damaged: it is no JSON object")
     end = _HEAD.size + length
-    return cast(dict[str, object], json.loads(text)), end + -end % _PAGE
+    return cast(dict[str, object], header), end + -end % _PAGE
 
 
 def _checksum(tag: bytes, payload: bytes) -> int:

@@ -113,7 +113,7 @@ def parse_profile(
     """
     try:
         data = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
+    except (ValueError, RecursionError) as error:  # also numbers of too many digits
         raise FormatError(path, f"is no TOML: {error}") from error
     top = Table(str(path), text, data, "")
     schema = top.integer("schema")

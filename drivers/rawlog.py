@@ -175,14 +175,28 @@ def read_rawlog(path: Path) -> Iterator[Chunk | Mark | Damage]:
     for block in read_blocks(path):
         if isinstance(block, Damage):
             yield block
-        elif block.tag == RAW:
+        elif block.tag == RAW and len(block.payload) >= _TIME.size:
             (t,) = cast(tuple[float], _TIME.unpack_from(block.payload))
             yield Chunk(t, block.payload[_TIME.size :])
-        elif block.tag == EVENT:
-            yield event_of(block.payload)
+        elif block.tag == EVENT and (mark := event_of(block.payload)) is not None:
+            yield mark
+        elif block.tag in (RAW, EVENT):
+            yield block.as_damage()
 
 
-def event_of(payload: bytes) -> Mark:
-    """Return what an ``EVT0`` block tells."""
-    fields = cast(dict[str, object], json.loads(payload))
-    return Mark(float(str(fields.pop("t"))), str(fields.pop("kind")), fields)
+def event_of(payload: bytes) -> Mark | None:
+    """Return what an ``EVT0`` block tells; None if it is no event of ours."""
+    try:
+        found: object = json.loads(payload)
+    except (ValueError, RecursionError):
+        return None
+    if not isinstance(found, dict):
+        return None
+    fields = cast(dict[str, object], found)
+    t, kind = fields.pop("t", None), fields.pop("kind", None)
+    if isinstance(t, bool) or not isinstance(t, int | float) or not isinstance(kind, str):
+        return None
+    try:
+        return Mark(float(t), kind, fields)
+    except OverflowError:
+        return None

@@ -21,11 +21,12 @@ from drivers.events import Event
 from drivers.framing import Block, Damage, read_blocks
 from drivers.profile import parse_profile
 from drivers.rawlog import EVENT, Chunk, Mark, event_of, rawlog_header, read_rawlog
-from drivers.recorder import HEAD, SAMPLES, SINGLE
+from drivers.recorder import DOUBLE, HEAD, SAMPLES, SINGLE
 
 SUFFIX = ".calrec"
 _BLOCK_HEAD = 12
 _CHUNK_ROWS = 1 << 16
+_LAST_NUMBER = 1 << 53
 _INTERRUPTIONS = ("link lost", "reconnected", "stopped", "resumed")
 
 Values = NDArray[np.float32] | FloatArray
@@ -152,7 +153,8 @@ class Recording:
         out = np.empty(len(self))
         place = 0
         for stretch in self.stretches:
-            out[place : place + len(stretch.data)] = stretch.data[:, channel]
+            with np.errstate(invalid="ignore"):  # a signalling NaN is a value like any other
+                out[place : place + len(stretch.data)] = stretch.data[:, channel]
             place += len(stretch.data)
         out.flags.writeable = False
         return out
@@ -193,7 +195,8 @@ class Recording:
     def _block(self, parts: list[Stretch]) -> SampleBlock:
         index = np.concatenate([np.arange(part.first, part.end) for part in parts])
         data = np.concatenate([part.data for part in parts])
-        return SampleBlock(self.channels, frozen_int(index), frozen(data), self.rate)
+        with np.errstate(invalid="ignore"):
+            return SampleBlock(self.channels, frozen_int(index), frozen(data), self.rate)
 
 
 def read_recording(path: Path, *, from_bytes: bool = False) -> Recording:
@@ -214,13 +217,14 @@ def read_recording(path: Path, *, from_bytes: bool = False) -> Recording:
     scan.run()
     if scan.stretches and not from_bytes:
         channels = _channels(header, path)
-        rate = float(str(header.get("rate_hz", 0.0)))
+        stated = header.get("rate_hz")
+        rate = float(stated) if isinstance(stated, int | float) else 0.0
         stretches = tuple(scan.stretches)
     else:
         channels, rate, stretches = _decoded(path, header)
     if any(stretch.data.shape[1] != len(channels) for stretch in stretches):
         raise FormatError(path, f"its samples have not the {len(channels)} channels of its header")
-    if not rate > 0.0:
+    if not 0.0 < rate < math.inf:
         raise FormatError(path, "the rate of its samples is not known")
     return Recording(
         path,
@@ -274,13 +278,17 @@ class _Scan:
         return tuple(notes)
 
     def _take(self, block: Block) -> None:
+        if len(block.payload) < HEAD.size:
+            self._damaged.append(block.as_damage())
+            return
         first, rows, columns, item = cast(
             tuple[int, int, int, int], HEAD.unpack_from(block.payload)
         )
         size = rows * columns * item
         end = self.stretches[-1].end if self.stretches else first
-        if size != len(block.payload) - HEAD.size or first < end or not rows:
-            self._damaged.append(Damage(block.offset, _BLOCK_HEAD + len(block.payload)))
+        fits = size == len(block.payload) - HEAD.size and item in (SINGLE, DOUBLE)
+        if not fits or not rows or not end <= first <= _LAST_NUMBER - rows:
+            self._damaged.append(block.as_damage())
             return
         begin = block.offset + _BLOCK_HEAD + HEAD.size
         values = self._mapped[begin : begin + size]
@@ -289,19 +297,30 @@ class _Scan:
 
     def _note(self, block: Block) -> None:
         mark = event_of(block.payload)
+        if mark is None:
+            self._damaged.append(block.as_damage())
+            return
         end = self.stretches[-1].end if self.stretches else 0
         fields = mark.fields
         if mark.kind == "not stored":
-            self._refused += int(str(fields.get("count", 0)))
+            self._refused += _whole(fields.get("count"), 0)
         self.ended = mark.kind == "ended"
-        number = fields.get("number", fields.get("before", end))
+        number = _whole(fields.get("number", fields.get("before")), end)
         note = str(fields.get("note", fields.get("why", "")))
-        self.events.append(RecordEvent(int(str(number)), mark.kind, note))
+        self.events.append(RecordEvent(number, mark.kind, note))
+
+
+def _whole(found: object, otherwise: int) -> int:
+    """A whole number that an event tells."""
+    if isinstance(found, int) and abs(found) <= _LAST_NUMBER:
+        return int(found)
+    return otherwise
 
 
 def _channels(header: Mapping[str, object], path: Path) -> tuple[Channel, ...]:
-    rows = header.get("channels")
-    if not isinstance(rows, list) or not rows:
+    found = header.get("channels")
+    rows = cast(list[object], found) if isinstance(found, list) else []
+    if not rows or not all(isinstance(row, dict) for row in rows):
         raise FormatError(path, "the header names no channels")
     return tuple(
         Channel(str(row.get("name", "")), str(row.get("unit", "")), str(row.get("role", "")))

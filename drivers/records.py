@@ -75,10 +75,8 @@ def was_ended(path: Path) -> bool:
         raise FormatError(path, f"cannot be read: {error.strerror}") from error
     _, tag, last = tail.rpartition(EVENT)
     # The tag is followed by length and check sum.
-    try:
-        return bool(tag) and event_of(last[8:]).kind == "ended"
-    except (ValueError, KeyError):
-        return False
+    mark = event_of(last[8:]) if tag else None
+    return mark is not None and mark.kind == "ended"
 
 
 def records_in(folder: Path) -> list[Path]:

@@ -30,7 +30,7 @@ class Settings:
             found = json.loads(path.read_text(encoding="utf-8"))
         except FileNotFoundError:
             return
-        except (OSError, ValueError) as error:
+        except (OSError, ValueError, RecursionError) as error:
             self.doubt = f"{path}: the preferences cannot be read ({error}); defaults are used"
             return
         if isinstance(found, dict):

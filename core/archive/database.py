@@ -78,6 +78,10 @@ def told(name: str) -> Generator[None, None, None]:
         yield
     except SQLAlchemyError as error:
         raise StorageError(_words(name, error)) from error
+    except UnicodeDecodeError as error:
+        # SQLite quotes what it finds in a damaged file, and Python cannot read the quotation.
+        damage = DatabaseError("", None, ValueError(f"malformed text: {error}"))
+        raise StorageError(_words(name, damage)) from damage
 
 
 def _words(name: str, error: SQLAlchemyError) -> str:

@@ -92,7 +92,7 @@ def read_limits(root: Path) -> tuple[Limit, ...]:
         return ()
     try:
         document: dict[str, Any] = tomllib.loads(decode(read_bytes(path), path))
-    except tomllib.TOMLDecodeError as error:
+    except (ValueError, RecursionError) as error:  # also numbers of too many digits
         raise FormatError(path, f"is no TOML: {error}") from error
     items = document.get("limit")
     if not isinstance(items, list) or set(document) != {"limit"}:

@@ -6,6 +6,7 @@ there was one; one that was not detected is no quantity.
 
 import csv
 import io
+from collections.abc import Iterator
 
 from core.archive.entry import Quantity
 from core.errors import FormatError
@@ -27,13 +28,13 @@ def parse_noise(text: str, path: str) -> dict[str, tuple[Quantity, ...]]:
         A line is damaged.
     """
     found: dict[str, dict[tuple[str, str], tuple[bool, Quantity]]] = {}
-    for number, row in enumerate(csv.DictReader(io.StringIO(text)), 2):
+    for number, row in _rows(text, path):
         if row["method"] != "likelihood":
             continue
         try:
             value, u = float(row["value"]), float(row["u"])
             limit, regressed = int(row["upper_limit"]), bool(row["regressed"])
-        except (TypeError, ValueError) as error:
+        except (KeyError, TypeError, ValueError) as error:
             raise FormatError(path, f"no line of coefficients: {error}", line=number) from error
         key = (row["channel"], row["term"])
         of_device = found.setdefault(row["device"], {})
@@ -45,3 +46,12 @@ def parse_noise(text: str, path: str) -> dict[str, tuple[Quantity, ...]]:
     return {
         device: tuple(quantity for _, quantity in rows.values()) for device, rows in found.items()
     }
+
+
+def _rows(text: str, path: str) -> Iterator[tuple[int, dict[str, str]]]:
+    """The lines below the head with their numbers."""
+    reader = csv.DictReader(io.StringIO(text))
+    try:
+        yield from enumerate(reader, 2)
+    except csv.Error as error:
+        raise FormatError(path, f"is no table: {error}", line=reader.line_num) from error

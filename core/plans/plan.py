@@ -16,6 +16,8 @@ from core.errors import FormatError
 from core.plans.orientation import LEVEL, BaseOrientation, Mount, earth_rate, specific_force
 
 TESTS = ("dividing_head", "rate_table", "static_positions", "accuracy", "record", "headings")
+_LARGEST = 1e9
+"""Beyond any angle, rate, temperature and number of a step; not-a-number is no number either."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,8 +99,12 @@ def load_plan(path: Path | Traversable) -> Plan:
     """
     name = str(path)
     try:
-        document = tomllib.loads(path.read_text(encoding="utf-8"))
-    except tomllib.TOMLDecodeError as error:
+        text = path.read_text(encoding="utf-8-sig")
+    except (OSError, UnicodeDecodeError) as error:
+        raise FormatError(name, f"cannot be read: {error}") from error
+    try:
+        document = tomllib.loads(text)
+    except (ValueError, RecursionError) as error:  # also numbers of too many digits
         raise FormatError(name, f"not TOML: {error}") from error
     return plan_from_dict(document, Path(name).stem, name)
 
@@ -114,8 +120,10 @@ def plan_from_dict(document: dict[str, Any], plan_id: str, name: str) -> Plan:
     if not isinstance(groups, list) or not groups:
         raise FormatError(name, "a plan needs at least one [[group]]")
     steps: list[Step] = []
-    for group in cast(list[dict[str, Any]], groups):
-        steps.extend(_steps(reader, group, len(steps)))
+    for group in cast(list[object], groups):
+        if not isinstance(group, dict):
+            raise FormatError(name, f"a group is {group!r}; write it as a table [[group]]")
+        steps.extend(_steps(reader, cast(dict[str, Any], group), len(steps)))
     numbers = [step.number for step in steps]
     repeated = {number for number in numbers if numbers.count(number) > 1}
     if repeated:
@@ -208,7 +216,8 @@ class _Reader:
             raise FormatError(self.name, f"{key} must be a list of numbers")
         items = cast(list[object], value)
         for item in items:
-            if isinstance(item, bool) or not isinstance(item, int | float):
+            known = isinstance(item, int | float) and not isinstance(item, bool)
+            if not known or not -_LARGEST <= cast(float, item) <= _LARGEST:
                 raise FormatError(self.name, f"{key} holds {item!r}, which is no number")
         return tuple(float(cast(float, item)) for item in items)
 

@@ -196,7 +196,7 @@ def _of_noise(text: str, path: Path) -> tuple[Facts, ...]:
             estimate = Estimate(float(line["value"]), float(line["u"]), float("inf"), shown)
             limit = line["upper_limit"] != "0"
             terms[row] = (rank, None if limit else estimate, float(line["upper95"]))
-    except (KeyError, TypeError, ValueError) as error:
+    except (KeyError, TypeError, ValueError, csv.Error) as error:
         raise FormatError(path, f"is no table of noise coefficients: {error}") from error
     if not best:
         raise FitError(f"{path.name} holds no noise of a gyro in deg/s; state its scale factor")

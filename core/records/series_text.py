@@ -135,7 +135,7 @@ class _Head:
 
 
 def _read_head(text: str, path: str) -> _Head:
-    lines = lines_of("\n".join(text[: 1 << 16].splitlines()))
+    lines = lines_of(text[: 1 << 16])
     told: dict[str, str] = {}
     title = ""
     for place, line in enumerate(lines[:HEAD_LINES]):
@@ -195,7 +195,7 @@ def _titles(line: str, separator: str | None, count: int) -> tuple[str, ...]:
 
 def _numbers(text: str, head: _Head, path: str) -> FloatArray:
     """Return the (n, c) numbers below the head."""
-    body = io.StringIO(text)
+    body = io.StringIO(text, newline=None)
     for _ in range(head.lines):
         body.readline()
     rest = body.read()

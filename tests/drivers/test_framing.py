@@ -3,16 +3,18 @@
 import errno
 import os
 import signal
+import struct
 import subprocess
 import sys
 import time
+import zlib
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from core.errors import FormatError, StorageError
-from drivers.framing import Block, BlockWriter, Damage, read_blocks, read_header, sync_file
+from drivers.framing import MAGIC, Block, BlockWriter, Damage, read_blocks, read_header, sync_file
 
 HEADER = {"device": "Прилад 25-143", "rate": 200}
 
@@ -215,3 +217,38 @@ def test_killed_writer_loses_nothing_that_it_has_written(tmp_path):
         assert len(blocks) >= acknowledged
         for number, block in enumerate(blocks):
             assert block.payload == number.to_bytes(8, "little") * 20
+
+
+def test_a_block_that_could_not_be_taken_back_costs_no_later_one(tmp_path, monkeypatch):
+    path = tmp_path / "a.calrec"
+    writer = BlockWriter(path, HEADER)
+    real = os.write
+
+    def torn(fd: int, data: bytes) -> int:
+        if len(data) <= 50:
+            raise OSError(errno.ENOSPC, "No space left on device")
+        return real(fd, data[:50])
+
+    def never(fd: int, size: int) -> None:
+        raise OSError(errno.EIO, "Input/output error")
+
+    with monkeypatch.context() as patch:
+        patch.setattr(os, "write", torn)
+        patch.setattr(os, "ftruncate", never)
+        with pytest.raises(StorageError):
+            writer.append(b"RAW0", b"x" * 60)
+    writer.append(b"RAW0", b"between")
+    with monkeypatch.context() as patch:
+        patch.setattr(os, "write", torn)
+        with pytest.raises(StorageError):
+            writer.append(b"RAW0", b"y" * 60)
+    writer.close()
+    assert list(read_blocks(path)) == [Damage(512, 50), Block(b"RAW0", b"between", 562)]
+
+
+@pytest.mark.parametrize("text", [b"[1, 2]", b"{", b"\xff\xff", b"[" * 5000])
+def test_a_header_that_is_no_object_is_damage(tmp_path, text):
+    path = tmp_path / "a.calrec"
+    path.write_bytes(MAGIC + struct.pack("<II", len(text), zlib.crc32(text)) + text)
+    with pytest.raises(FormatError, match="the header of the record is damaged"):
+        read_header(path)

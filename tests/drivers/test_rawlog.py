@@ -159,3 +159,23 @@ def test_torn_tail_and_other_block_files(tmp_path):
     BlockWriter(other, {"content": "samples"}).close()
     with pytest.raises(FormatError, match="expected a raw log"):
         list(read_rawlog(other))
+
+
+@pytest.mark.parametrize(
+    ("tag", "payload"),
+    [
+        (b"RAW0", b"short"),
+        (b"EVT0", b"no JSON"),
+        (b"EVT0", b"[]"),
+        (b"EVT0", b'{"t": 1.0}'),
+        (b"EVT0", b'{"t": true, "kind": "a"}'),
+        (b"EVT0", b'{"t": 1' + b"0" * 400 + b', "kind": "a"}'),
+    ],
+)
+def test_a_whole_block_that_holds_nothing_known_is_damage(tmp_path, tag, payload):
+    path = tmp_path / "a.calrec"
+    writer = BlockWriter(path, {"content": "raw"})
+    writer.append(tag, payload)
+    writer.append(b"EVT0", b'{"t": 1.5, "kind": "link lost"}')
+    writer.close()
+    assert list(read_rawlog(path)) == [Damage(512, 12 + len(payload)), Mark(1.5, "link lost", {})]

@@ -7,7 +7,7 @@ from core.errors import FormatError
 from drivers.framing import BlockWriter
 from drivers.profile import load_profiles
 from drivers.rawlog import RawLog
-from drivers.recorder import Recorder, RecordLayout
+from drivers.recorder import HEAD, Recorder, RecordLayout
 from drivers.recording import read_recording
 from drivers.virtual.address import rig_of
 from tests.drivers.links import CVG
@@ -144,3 +144,44 @@ def test_an_empty_record_says_so(tmp_path):
     Recorder(tmp_path / "e.calrec", HEADER, RecordLayout(TWO, 100.0)).close()
     with pytest.raises(FormatError, match="no profile"):
         read_recording(tmp_path / "e.calrec")
+
+
+@pytest.mark.parametrize(
+    "payload",
+    [
+        b"short",
+        HEAD.pack(0, 1, 3, 5) + bytes(15),
+        HEAD.pack(1 << 62, 1, 2, 8) + bytes(16),
+        HEAD.pack(-1, 1, 2, 8) + bytes(15),
+    ],
+)
+def test_samples_that_cannot_be_are_damage(tmp_path, payload):
+    path = tmp_path / "a.calrec"
+    header = {"content": "recording", "rate_hz": 100.0, "channels": [{"name": "a"}, {"name": "b"}]}
+    writer = BlockWriter(path, header)
+    writer.append(b"BLK0", HEAD.pack(5, 1, 2, 8) + bytes(16))
+    writer.append(b"BLK0", payload)
+    writer.append(b"BLK0", HEAD.pack(9, 1, 2, 8) + bytes(16))
+    writer.append(b"EVT0", b'{"t": 1.0, "kind": "mark", "number": "many"}')
+    writer.close()
+    record = read_recording(path)
+    assert record.index().tolist() == [5, 9]
+    assert [note.subject for note in record.notes] == ["damaged"]
+    assert record.marks[0].number == 10
+
+
+@pytest.mark.parametrize(
+    ("header", "why"),
+    [
+        ({"rate_hz": 100.0, "channels": [1]}, "names no channels"),
+        ({"rate_hz": "100", "channels": [{"name": "a"}]}, "rate of its samples"),
+        ({"rate_hz": float("inf"), "channels": [{"name": "a"}]}, "rate of its samples"),
+    ],
+)
+def test_a_header_without_sense_is_told(tmp_path, header, why):
+    path = tmp_path / "a.calrec"
+    writer = BlockWriter(path, {"content": "recording", **header})
+    writer.append(b"BLK0", HEAD.pack(0, 1, 1, 8) + bytes(8))
+    writer.close()
+    with pytest.raises(FormatError, match=why):
+        read_recording(path)

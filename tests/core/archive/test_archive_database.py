@@ -250,3 +250,14 @@ def test_an_address_that_is_none_is_refused_without_repeating_it(root: Path, url
     with pytest.raises(StorageError) as told:
         Archive(root, url)
     assert "someone" not in str(told.value)
+
+
+def test_damage_that_cannot_even_be_quoted_is_set_aside(filled: Path) -> None:
+    index = filled / "archive.db"
+    content = index.read_bytes()
+    at = content.index(b"CREATE TABLE")
+    index.write_bytes(content[:at] + b"CRE\xfe\xffE TABLE" + content[at + 12 :])
+    with Archive(filled) as archive:
+        assert [note.subject for note in archive.notes] == ["index_damaged"]
+        archive.refresh()
+        assert archive.search().total == 3

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from core.archive.entry import BAD, DAMAGED, DOUBT, GOOD, Entry, Found, judged, mean_of
-from core.archive.noise_file import is_noise_file, parse_noise
+from core.archive.noise_file import HEADER, is_noise_file, parse_noise
 from core.archive.reading import moment, read_file
 from core.errors import FormatError, Note, Severity
 from core.procedures.calibration import Calibration
@@ -156,3 +156,16 @@ def test_further_suffixes_are_read_by_whom_it_may_concern(tmp_path: Path) -> Non
     found = read_file(path, {".calrec": lambda one: (Found(Entry("record", "", one.stem)),)})
     assert found[0].entry.serial == "x"
     assert found[0].entry.measured
+
+
+@pytest.mark.parametrize(
+    ("line", "why"),
+    [
+        ('G1,y,random_walk,N,likelihood,N,deg/s,1.0,0.1,0.9,1.1,"a\rb', "no line of coefficients"),
+        ("G1,y,random_walk,N,likelihood,N,deg/s,1.0,0.1,0.9,1.1,\rb", "is no table"),
+        ("G1,y,random_walk,N,likelihood,N,deg/s,1.0,0.1,0.9,1.1", "no line of coefficients"),
+    ],
+)
+def test_a_torn_table_of_noise_is_told(line: str, why: str) -> None:
+    with pytest.raises(FormatError, match=why):
+        parse_noise(f"{HEADER}file\n{line}\n", "noise.csv")

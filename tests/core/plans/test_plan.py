@@ -153,3 +153,33 @@ def test_what_is_no_toml_is_refused(tmp_path: Path):
     path.write_text("[plan\n", encoding="utf-8")
     with pytest.raises(FormatError, match="not TOML"):
         load_plan(path)
+
+
+@pytest.mark.parametrize(
+    ("content", "why"),
+    [
+        (b"\xff\xfe[plan]", "cannot be read"),
+        (b"a = " + b"[" * 5000, "not TOML"),
+        (b"a = " + b"1" * 5000, "not TOML"),
+    ],
+)
+def test_a_file_that_is_no_text_is_no_plan(tmp_path: Path, content: bytes, why: str):
+    path = tmp_path / "a.toml"
+    path.write_bytes(content)
+    with pytest.raises(FormatError, match=why):
+        load_plan(path)
+
+
+@pytest.mark.parametrize(
+    ("group", "why"),
+    [
+        (1, "as a table"),
+        ({"title": "A", "head_deg": [float("nan")]}, "nan, which is no number"),
+        ({"title": "A", "head_deg": [10**400]}, "which is no number"),
+        ({"title": "A", "head_deg": [0.0], "numbers": [float("inf")]}, "inf, which is no number"),
+    ],
+)
+def test_a_group_that_is_none(group: object, why: str):
+    head = {"title": "T", "test": "dividing_head", "accumulation_s": 7.0}
+    with pytest.raises(FormatError, match=why):
+        plan_from_dict({"plan": head, "group": [group]}, "a", "a.toml")

@@ -99,3 +99,10 @@ def test_a_run_file_of_a_record_is_read_and_one_of_positions_refused(tmp_path: P
     series = read_text_series(path)
     assert series.sampled(series.main).rate == pytest.approx(20.0)
     assert series.channels[series.place("temp")].unit == "degC"
+
+
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
+def test_every_line_end_gives_all_rows(end: str):
+    text = end.join(["# rate: 50 Hz", "note \x0c with a form feed", "1.5", "2.5", "3.5"])
+    series = parse_text_series(text + end, "a.txt")
+    assert series.columns[0].tolist() == [1.5, 2.5, 3.5]
