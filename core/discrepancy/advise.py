@@ -19,8 +19,8 @@ from core.discrepancy.sets import rivals_of
 from core.discrepancy.slots import Slot, State
 from core.discrepancy.space import Space, orthonormal
 
-_NEEDED = 6.0
-"""Twice the three nats by which one name must be ahead."""
+_NEEDED = 14.0
+"""Twice the nats by which one name must lead: three to be alone, four for the choice of shape."""
 
 _SHOWN = 3
 _MOST_RIVALS = 6

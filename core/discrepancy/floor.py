@@ -19,6 +19,7 @@ _CERTAIN = 60.0
 _STATED = 12.0
 _NOTHING = 1.0
 _DRAWS, _EACH = 8, 40
+_UNSTATED = 1.0
 _DECAYS = (0.05, 0.15, 0.5)
 
 
@@ -95,7 +96,8 @@ class Floor:
         for part, ratio in zip(self.parts, self.sizes.ratio, strict=True):
             rms = float(np.sqrt(np.mean(np.diag(part.matrix)))) * float(ratio)
             sizes[part.name] = rms
-            ratios[part.name] = float(ratio)
+            # Where nothing is stated nothing can be exceeded.
+            ratios[part.name] = float(ratio) if part.spread < _UNSTATED else 1.0
         slow = sizes.pop("slow_drift")
         before = np.hypot(sizes["drift"], slow)
         ratios["drift"] = float(np.hypot(ratios["drift"], ratios.pop("slow_drift")) / np.sqrt(2.0))

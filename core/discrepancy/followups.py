@@ -87,6 +87,12 @@ def _on_head(run: Run) -> tuple[FollowUp, ...]:
                 (_turned(first), _flipped(first), "Z_from"),
                 mixed[:16],
             ),
+            (
+                "All mountings twice, mixed",
+                "rig, dial and sensor apart, with half the noise",
+                (_turned(first), _flipped(first), "Z_from", _turned(first), _flipped(first)),
+                _dense(mixed),
+            ),
         )
     ]
     return tuple(found)
@@ -121,6 +127,11 @@ def _sweep(run: Run) -> list[float]:
     if len(angles) > _MOST:
         angles = angles[np.linspace(0, len(angles) - 1, _MOST).astype(int)]
     return angles.tolist()
+
+
+def _dense(angles: list[float]) -> list[float]:
+    """These angles, or an even turn in mixed order where they are few."""
+    return angles if len(angles) >= _MOST else _shuffled((np.arange(_MOST) * 15.0).tolist())
 
 
 def _shuffled(values: Sequence[float]) -> list[float]:
