@@ -16,6 +16,8 @@ reader, linkrate
     The one thread of a port, and the rate of its samples.
 framing, rawlog, recorder, recording, records
     Files of checked blocks; in them the bytes of a link and, in a record, its samples.
+teach
+    What an unknown board sends, found out from its bytes.
 virtual
     The simulated rig: ``sim://`` and a process behind a pty; recordings as ``replay://``.
 """

@@ -33,6 +33,7 @@ COMMANDS = {
     "ports": Entry("gui.commands.ports", "list the serial ports, the likeliest device first"),
     "scan": Entry("gui.commands.scan", "find out which device is at which port"),
     "record": Entry("gui.commands.record", "record the raw bytes of a device"),
+    "teach": Entry("gui.commands.teach", "describe an unknown board from its raw bytes"),
     "fit": Entry("gui.commands.fit", "calibrate from measured positions and rates"),
     "accuracy": Entry("gui.commands.accuracy", "check pitch and roll against set angles"),
     "allan": Entry("gui.commands.allan", "Allan deviation and noise coefficients of records"),
