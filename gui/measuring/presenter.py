@@ -162,6 +162,7 @@ class MeasuringPresenter(Generic[S], QObject):
         session, settings = self._sitting.keeper.session, self._sitting.settings
         if session is not None and session.positions:
             rows = self._sitting.rows_here
+            self._results.source_path = None
             self._results.process_session(session.record, settings, rows)
         else:
             self._results.process_again(settings)

@@ -42,6 +42,8 @@ class Results(QObject):
         self._again: Callable[[str | None, Sequence[str] | None], Work] | None = None
         self.page: ResultsPage | None = None
         """What the page shows; None while there is nothing."""
+        self.source_path: Path | None = None
+        """File that the page is made of; None where it is the session on the bench."""
         self.busy = False
         self.live_scale: Mapping[str, float] = {}
         """`live_unit` of one unit of output, by role, as far as it is known."""
@@ -84,7 +86,7 @@ class Results(QObject):
 
     def clear(self) -> None:
         """Close the page."""
-        self.page = None
+        self.page = self.source_path = None
         self._messages.clear(self.source)
         self.changed.emit()
 
@@ -119,7 +121,10 @@ class Results(QObject):
         if isinstance(result, Choice):
             self._messages.show(self.source, result.banner())
         else:
-            loaded, self._loading = self._loading is not None, None
+            path, self._loading = self._loading, None
+            loaded = path is not None
+            if loaded:
+                self.source_path = path
             before = self.page
             self.take(result, loaded)
             if self.page is not None and self.page is not before:
