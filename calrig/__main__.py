@@ -4,6 +4,7 @@ In a checkout the program stands beside this package; in an installed one it is 
 folder ``_app``, so that nothing called ``core`` or ``gui`` lies open in site-packages.
 """
 
+import os
 import sys
 from pathlib import Path
 
@@ -13,6 +14,9 @@ def main() -> int:
     here = Path(__file__).resolve().parent
     installed = here / "_app"
     sys.path.insert(0, str(installed if installed.is_dir() else here.parent))
+    # Our matrices are small: threads of the linear algebra only wait for each other (a comparison
+    # of model and data took nine times as long) and take cores from the readers of the ports.
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
     from gui.main import main as start
 
