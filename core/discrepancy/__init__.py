@@ -20,6 +20,12 @@ search, engine, sets
     Names compete; the rounds of a search and its threshold; what cannot be told apart.
 gaps, locate, power, steps, verdict
     How far, where, what could have been seen, rungs with their numbers, the verdict in words.
+record
+    `explain_record`: the same for a long record, one row a sample.
+record_problem, record_floor, record_engine, record_telegraph
+    Means of blocks, their noise, the search on them, paths between two levels.
+record_facts, record_spectrum
+    Faults of the data; lines and noise terms at the full rate.
 followups, advise
     What to measure next.
 """

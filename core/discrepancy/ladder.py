@@ -13,6 +13,7 @@ from core.discrepancy.gaps import gap_of, held_out_gap, predicted
 from core.discrepancy.locate import locate
 from core.discrepancy.power import invisible_of, smallest_of
 from core.discrepancy.problem import COMMON, EACH, Problem
+from core.discrepancy.record import RECORD, explain_record
 from core.discrepancy.result import Explanation, Gap, NoiseFloor
 from core.discrepancy.search import Scored
 from core.discrepancy.settings import Settings
@@ -187,6 +188,8 @@ def explain(run: Run, settings: Settings = NO_SETTINGS) -> Explanation:
     FitError
         The run is of another test, or an output is missing.
     """
+    if run.test == RECORD:
+        return explain_record(run, settings)
     try:
         return Ladder.of(run, settings).found().explanation
     except RankDeficient as error:
