@@ -8,7 +8,7 @@ from core.discrepancy.result import Candidate, Explanation, NextMeasurement, Ste
 from core.model.catalogue.listing import CATALOGUE
 from gui.discrepancy.state import CandidateRow, DetailState, NextCard, ProposalCard
 from gui.discrepancy.words import effect_words, numbers_words, unit_words
-from gui.discrepancy.working import Story
+from gui.discrepancy.working import Story, rivals_of
 from gui.widgets.number_text import fixed, significant
 from gui.widgets.states import TableState
 
@@ -129,10 +129,11 @@ def grade_of(told: Explanation) -> tuple[TableState, ...]:
 
 
 def _card(number: int, step: Step) -> ProposalCard:
-    best = max((each.evidence for each in step.candidates), default=step.evidence)
+    rivals = rivals_of(step)
+    best = max(each.evidence for each in rivals)
     same = {step.effect, *step.indistinguishable_from}
-    tied = tuple(_row(each, best) for each in step.candidates if each.effect in same)
-    others = tuple(_row(each, best) for each in step.candidates if each.effect not in same)
+    tied = tuple(_row(each, best) for each in rivals if each.effect in same)
+    others = tuple(_row(each, best) for each in rivals if each.effect not in same)
     if len(tied) > 1:
         template = QCoreApplication.translate(
             "Discrepancy", "{number}. These cannot be told apart yet"

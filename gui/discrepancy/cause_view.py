@@ -51,6 +51,21 @@ KINDS = {
     "wrong_stop": "odd_one",
     "short_accumulation": "lag",
     "stuck_reading": "stuck",
+    "quadrature_leakage": "fan",
+    "phase_error": "fan",
+    "damping_anisotropy": "fan",
+    "resonator_frequency": "warmth",
+    "amplitude_error": "fan",
+    "quantization": "stairs",
+    "missing_codes": "stairs",
+    "angle_random_walk": "noise",
+    "bias_instability": "noise",
+    "rate_random_walk": "noise",
+    "markov": "noise",
+    "variance_burst": "burst",
+    "dropouts": "gap",
+    "stale_temperature": "stuck",
+    "clipping": "clip",
     "positions_swapped": "swap",
     "mount_reversed": "swap",
     "rate_sign_reversed": "swap",
@@ -282,6 +297,13 @@ def _earth(painter: QPainter, quiet: QPen, strong: QPen) -> None:
     painter.drawArc(QRectF(-0.85, -0.3, 1.7, 0.6), 200 * 16, 140 * 16)
 
 
+def _gap(painter: QPainter, quiet: QPen, strong: QPen) -> None:
+    _axes(painter, quiet)
+    painter.setPen(strong)
+    for left, right in ((-1.0, -0.35), (0.3, 1.0)):
+        painter.drawLine(QPointF(left, -0.35), QPointF(right, -0.35))
+
+
 def _unknown(painter: QPainter, quiet: QPen, strong: QPen) -> None:
     _curve_of(lambda x: 0.5 * math.sin(4.0 * x) + 0.3 * math.cos(7.0 * x))(painter, quiet, strong)
 
@@ -305,6 +327,10 @@ _PICTURES: dict[str, _Picture] = {
     "warmth": _warmth,
     "telegraph": _curve_of(lambda x: 0.6 if math.sin(7.0 * x) > 0.2 else -0.6),
     "sine": _curve_of(lambda x: 0.8 * math.sin(3.0 * math.pi * x)),
+    "stairs": _curve_of(lambda x: 0.4 * math.floor(2.5 * x + 0.5)),
+    "noise": _curve_of(lambda x: 0.45 * (math.sin(37.0 * x) + math.sin(23.0 * x + 1.0))),
+    "burst": _curve_of(lambda x: (0.8 if abs(x) < 0.35 else 0.2) * math.sin(40.0 * x)),
+    "gap": _gap,
     "odd_one": _odd_one,
     "stuck": _stuck,
     "swap": _swap,

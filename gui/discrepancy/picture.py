@@ -37,6 +37,8 @@ def picture_of(
 ) -> PictureState:
     """Both plots of an output against a regressor."""
     told = story.told
+    if len(where.x) != len(told.measured):
+        return _spectrum(where, told.unit)
     own = where.channel == channel
     x, residual = where.x[own], where.residual[own]
     near = _nearest(x, where.knots)
@@ -75,6 +77,33 @@ def picture_of(
         worst_words=place_words(where) if worst >= 0 else "",
         preview=preview,
         preview_name="" if candidate is None else candidate.name,
+    )
+
+
+def _spectrum(where: Where, unit: str) -> PictureState:
+    """The highest amplitude of each band of frequencies against what noise alone reaches."""
+    name = regressor_words(where.regressor)
+    significant = where.p_value < SIGNIFICANT
+    marked = where.curve > where.band if significant else np.zeros(len(where.knots))
+    worst = int(np.argmin(np.abs(where.knots - where.worst_value))) if significant else -1
+    return PictureState(
+        title=_title(where, name),
+        x_label=f"{name}, {unit_words(where.unit)}",
+        unit=unit_words(unit),
+        x=where.x,
+        measured=_NOTHING,
+        simulated=_NOTHING,
+        residual=where.residual,
+        again=_NOTHING,
+        knots=where.knots,
+        mean=where.curve,
+        curve=where.curve,
+        band=where.band,
+        marked=np.asarray(marked, dtype=np.float64),
+        worst=worst,
+        worst_words=place_words(where) if worst >= 0 else "",
+        preview=_NOTHING,
+        preview_name="",
     )
 
 

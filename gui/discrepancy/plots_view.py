@@ -122,6 +122,8 @@ class PlotsView(QWidget):
             column.addWidget(legend)
             column.addWidget(plot, 1)
             panes.addWidget(pane)
+            if plot is self.rows:
+                self._rows_pane = pane
         panes.setChildrenCollapsible(False)
         panes.setStretchFactor(0, 2)
         panes.setStretchFactor(1, 3)
@@ -163,6 +165,7 @@ class PlotsView(QWidget):
         rows.add_crosses(picture.x, picture.simulated, _SIMULATED)
         self.left.draw_residual(picture)
         self._render_legends(picture, after)
+        self._rows_pane.setVisible(len(picture.measured) > 0)
         rows.show_everything()
         self.left.show_everything()
 

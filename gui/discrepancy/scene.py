@@ -23,7 +23,8 @@ def actions_of(
     again : the rows played by the model are shown
     busy : a job runs
     """
-    able = story is not None and story.ladder is not None and not busy
+    able = story is not None and story.able and not busy
+    ladder = story is not None and story.ladder is not None
     nothing = QCoreApplication.translate("Discrepancy", "There is nothing to compare yet.")
     none = QCoreApplication.translate("Discrepancy", "Find proposes effects first.")
     return ActionBarState(
@@ -40,7 +41,7 @@ def actions_of(
                 "add",
                 QCoreApplication.translate("Discrepancy", "Add to Model"),
                 "Ctrl+Return",
-                enabled=able and candidate,
+                enabled=able and candidate and ladder,
                 why_not=none,
             ),
             ActionItem(
@@ -63,7 +64,7 @@ def actions_of(
                 if not again
                 else QCoreApplication.translate("Discrepancy", "Hide Simulation"),
                 "F6",
-                enabled=able,
+                enabled=able and ladder,
                 why_not=nothing,
             ),
             ActionItem(

@@ -10,14 +10,17 @@ from core.arrays import FloatArray, frozen, frozen_int
 from core.discrepancy.ladder import Ladder, explain
 from core.discrepancy.result import UNKNOWN, Candidate, Explanation, Step
 from core.discrepancy.settings import Settings
-from core.errors import RankDeficient
+from core.errors import FitError, FormatError, RankDeficient
 from core.procedures.thermal.joined import joined
+from core.records.series_run import record_run
 from core.samples.run import Run
+from drivers.series import read_series
 from gui.measuring.loading import Choice, load
 
 Tell = Callable[[str], None]
 """Told which part of the work begins: a key of `words.PHASES`."""
 
+RECORD = "record"
 _BREAK_STEPS = 10.0
 """Pause between two files, in steps of the first, where neither tells the time of day."""
 
@@ -34,6 +37,7 @@ class Story:
     told : the explanation of what was added
     proposed : the explanation with all that was found; None while nothing was looked for
     found : its ladder
+    known : of a record, which is explained as a whole: the explanation before Find shows it
     """
 
     run: Run
@@ -42,6 +46,13 @@ class Story:
     told: Explanation
     found: Ladder | None = None
     proposed: Explanation | None = None
+    known: Explanation | None = None
+
+    @property
+    def able(self) -> bool:
+        """Whether there is anything to look for."""
+        judged = self.told if self.known is None else self.known
+        return judged.verdict != "not_enough_data"
 
     @property
     def proposals(self) -> tuple[Step, ...]:
@@ -53,11 +64,31 @@ class Story:
         """All effects that could be added next: those of the proposals, then others."""
         named: dict[str, Candidate] = {}
         for step in self.proposals:
-            for each in step.candidates:
+            for each in rivals_of(step):
                 named.setdefault(each.effect, each)
         for each in self.told.candidates if self.proposed is not None else ():
             named.setdefault(each.effect, each)
         return tuple(named.values())
+
+
+def rivals_of(step: Step) -> tuple[Candidate, ...]:
+    """All names that compete for a step; the step itself where no other does."""
+    if step.candidates:
+        return step.candidates
+    return (
+        Candidate(
+            effect=step.effect,
+            name=step.name,
+            plain=step.plain,
+            equation=step.equation,
+            evidence=step.evidence,
+            probability=step.probability,
+            parameters=step.parameters,
+            gap_after=step.gap_after,
+            alias=False,
+            curve=step.curve,
+        ),
+    )
 
 
 def opened(
@@ -80,12 +111,18 @@ def opened(
     tell("reading")
     runs: list[Run] = []
     for path in paths:
-        run = load(path, device, mounts, sensor)
+        run = _read(path, device, mounts, sensor)
         if isinstance(run, Choice):
             return run
         runs.append(run)
-    whole = in_one(runs)
+    if any(run.test == RECORD for run in runs) and len(runs) > 1:
+        raise FitError("a record is compared by itself: open one file at a time")
+    whole = runs[0] if len(runs) == 1 else in_one(runs)
     tell("floor")
+    if whole.test == RECORD:
+        # A record has no ladder to climb by hand: what was found is added at once, or not.
+        known = explain(whole, settings)
+        return Story(whole, tuple(paths), None, _plain(known), known=known)
     try:
         ladder = Ladder.of(whole, settings)
     except RankDeficient:
@@ -96,6 +133,8 @@ def opened(
 
 def searched(story: Story, tell: Tell) -> Story:
     """Look for what is missing on top of what was added."""
+    if story.known is not None:
+        return replace(story, proposed=story.known)
     if story.ladder is None:
         return story
     tell("search")
@@ -123,7 +162,7 @@ def added(story: Story, effect: str, tell: Tell) -> Story:
 
 def all_added(story: Story) -> Story:
     """Add all that was found."""
-    if story.found is None or story.proposed is None:
+    if story.proposed is None:
         return story
     return replace(story, ladder=story.found, told=story.proposed)
 
@@ -141,15 +180,39 @@ def played(story: Story, seed: int) -> FloatArray | None:
 
 
 def left_over(story: Story, y: FloatArray, *, after: bool) -> FloatArray:
-    """Residual (n,) of any outputs: of the plain model, or with the added effects."""
+    """Residual (n,) of any outputs: of the plain model, or with the added effects.
+
+    The plain model of a record, which has no ladder, is a constant.
+    """
     if story.ladder is None:
-        return np.full(len(y), np.nan)
+        return np.asarray(y - np.mean(y), dtype=np.float64)
     space = story.ladder.engine.search.bank.space
     white = space.rest(y[:, None])[:, 0]
     if after:
         basis = story.ladder.state.added
         white = white - basis @ (basis.T @ white)
     return space.chol @ white
+
+
+def _plain(known: Explanation) -> Explanation:
+    """The explanation of a record before anything is added."""
+    return replace(
+        known, steps=(), after=known.before, where_after=(), predicted=known.predicted_before
+    )
+
+
+def _read(
+    path: Path, device: str | None, mounts: Sequence[str] | None, sensor: str | None
+) -> Run | Choice:
+    try:
+        return load(path, device, mounts, sensor)
+    except FormatError as no_positions:
+        if path.is_dir():
+            raise
+        try:
+            return record_run(read_series(path), sensor=sensor or "")
+        except (FormatError, FitError) as no_record:
+            raise (no_positions if path.suffix == ".txt" else no_record) from no_record
 
 
 def in_one(runs: Sequence[Run]) -> Run:
