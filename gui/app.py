@@ -16,7 +16,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 from core.errors import FormatError, LabError, Severity
 from gui.garbage import Collector
 from gui.jobs import Jobs
-from gui.main_window import LoadTab, MainWindow, PlanTab, Tab, TabModule
+from gui.main_window import MainWindow, Tab, TabModule
 from gui.messages import Messages
 from gui.settings import Settings, number_of, text_of
 from gui.widgets.sound import Cue, Sounds
@@ -39,6 +39,7 @@ TABS: dict[str, str] = {
     "Methods": "gui.methods.tab",
     "Model vs data": "gui.discrepancy.tab",
     "Archive": "gui.archive.tab",
+    "Certificates": "gui.certificate.tab",
 }
 """Every tab of the window: its title and the module that makes it."""
 
@@ -141,6 +142,7 @@ class Application(QObject):
         from gui.devices.stopping import Stopping
         from gui.devices.view import DevicesView
         from gui.distance import Distance
+        from gui.handing import Handing
         from gui.services import Services
 
         self.connection = Connection(self._profiles, self._raw_folder, self.messages, self)
@@ -153,6 +155,7 @@ class Application(QObject):
         self.adc = AdcPresenter(self.connection, self.jobs, lambda: self._root, self)
         self.window.put_adc(AdcPanel(self.adc))
         self._connect()
+        handing = Handing(self.tabs, lambda tab: self.window.tabs.setCurrentWidget(tab.widget))
         services = Services(
             self.connection,
             self.jobs,
@@ -161,8 +164,10 @@ class Application(QObject):
             self._profiles,
             lambda: self._root,
             self._play,
-            self._open_plan,
-            self._open_file,
+            handing.open_plan,
+            handing.open_file,
+            handing.certify,
+            handing.read_measured,
         )
         for place, title in enumerate(TABS):
             module = cast("TabModule", importlib.import_module(TABS[title]))
@@ -250,23 +255,6 @@ class Application(QObject):
     def _play(self, cue: str) -> None:
         if not self._options.quiet:
             self.sounds.play(_CUES[cue])
-
-    def _open_plan(self, plan: "Plan") -> bool:
-        """Hand a plan to the tab that measures it, and show that tab."""
-        for tab in self.tabs.values():
-            if isinstance(tab, PlanTab) and tab.open_plan(plan):
-                self.window.tabs.setCurrentWidget(tab.widget)
-                return True
-        return False
-
-    def _open_file(self, title: str, path: Path) -> bool:
-        """Hand a file to the tab of a title, and show that tab."""
-        tab = self.tabs.get(title)
-        if not isinstance(tab, LoadTab):
-            return False
-        self.window.tabs.setCurrentWidget(tab.widget)
-        tab.load(path)
-        return True
 
     def _wanted(self) -> "tuple[Plan, Step] | None":
         widget = self.window.tabs.currentWidget()

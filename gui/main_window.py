@@ -22,6 +22,7 @@ from gui.widgets.window_menu import WindowMenu
 
 if TYPE_CHECKING:
     # Known to the tabs alone: the empty window is painted before they are imported.
+    from core.certificates.measured import Measured
     from core.plans.plan import Plan, Step
     from gui.devices.view import DevicesView
     from gui.services import Services
@@ -67,6 +68,15 @@ class LoadTab(Protocol):
 
     def load(self, path: Path) -> None:
         """Take a file, or a session's folder."""
+        ...
+
+
+@runtime_checkable
+class CertifyingTab(Protocol):
+    """A tab that makes certificates."""
+
+    def certify(self, measured: "Measured") -> None:
+        """Begin a certificate of results."""
         ...
 
 

@@ -4,6 +4,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from core.certificates.measured import Measured
+from core.errors import FormatError
 from core.plans.plan import Plan
 from drivers.profile import Profile
 from gui.devices.connection import Connection
@@ -20,6 +22,20 @@ def _no_tab(_: Plan) -> bool:
 def _no_loader(_: str, __: Path) -> bool:
     """No tab takes files."""
     return False
+
+
+def _no_certificates(_: Measured) -> None:
+    """Nobody makes certificates."""
+
+
+def _never_busy() -> str:
+    """Nothing is being measured."""
+    return ""
+
+
+def _no_reader(path: Path) -> Measured:
+    """Nobody reads results."""
+    raise FormatError(path, "no certificate can be made of files here")
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,6 +55,9 @@ class Services:
         took it
     open_file : hands a file, or a session's folder, to the tab of a title and shows that tab;
         returns whether there is such a tab
+    certify : hands results to the tab that makes certificates, and shows that tab
+    read_measured : returns what a file holds, processed; raises `LabError`
+    why_busy : returns why the ports cannot be let go of now; empty if they can
     """
 
     connection: Connection
@@ -50,3 +69,6 @@ class Services:
     play: Callable[[str], None]
     open_plan: Callable[[Plan], bool] = _no_tab
     open_file: Callable[[str, Path], bool] = _no_loader
+    certify: Callable[[Measured], None] = _no_certificates
+    read_measured: Callable[[Path], Measured] = _no_reader
+    why_busy: Callable[[], str] = _never_busy

@@ -93,7 +93,7 @@ def _title(certificate: Certificate) -> str:
         replaced = f'<p align="center">{escape(words.format(number=order.replaces))}</p>'
     return (
         f"<h1>{_t('CALIBRATION CERTIFICATE')}</h1>"
-        f'<p align="center"><b>{_t("No.")} {escape(certificate.number)}</b></p>{replaced}'
+        f'<p align="center"><b>{_t("No.")} {escape(certificate.number)}</b></p>{replaced}<p></p>'
     )
 
 

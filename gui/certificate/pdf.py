@@ -54,17 +54,21 @@ class Paper:
     ----------
     sections : HTML with its pictures inside
     foot : stands at the bottom of every page, before the page's number
+    before : a paper of the same thread whose sections need not be laid out again
     """
 
-    def __init__(self, sections: tuple[str, ...], foot: str) -> None:
+    def __init__(self, sections: tuple[str, ...], foot: str, before: "Paper | None" = None) -> None:
         self.foot = foot
+        known = {} if before is None else before.sections
+        self.sections: dict[str, QTextDocument] = {}
         inside = _A4.paintRect(QPageLayout.Unit.Millimeter).size() * (_DPI / _MM_PER_INCH)
         self.width, self.height = inside.width(), inside.height()
         self.pages: list[list[Piece]] = [[]]
         self._room = self.height - _FOOT
         self._top = 0.0
         for html in sections:
-            self._place(self._laid_out(html))
+            section = self.sections[html] = known.get(html) or self._laid_out(html)
+            self._place(section)
 
     def _place(self, section: QTextDocument) -> None:
         height = section.size().height()

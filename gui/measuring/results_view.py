@@ -30,6 +30,7 @@ class ResultsView(QWidget):
     """Shows a `ResultsPage`."""
 
     closed = Signal()
+    certificate_requested = Signal()
     export_requested = Signal(str, str)
     """Format and file name."""
     format_chosen = Signal(str)
@@ -51,6 +52,9 @@ class ResultsView(QWidget):
         head.addWidget(self._title)
         head.addSpacing(unit // 2)
         head.addWidget(self._source, 1)
+        self.certificate = QPushButton()
+        self.certificate.clicked.connect(self.certificate_requested)
+        head.addWidget(self.certificate)
         head.addWidget(self._close)
         self._page = QWidget()
         self._column = QVBoxLayout(self._page)
@@ -117,6 +121,8 @@ class ResultsView(QWidget):
             self._retranslate()
 
     def _retranslate(self) -> None:
+        self.certificate.setText(self.tr("Certificate"))
+        self.certificate.setToolTip(self.tr("Make a calibration certificate of these results"))
         self._close.setToolTip(self.tr("Close the results"))
         self._close.setAccessibleName(self._close.toolTip())
         self._formats.setAccessibleName(self.tr("Export format"))

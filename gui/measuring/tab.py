@@ -81,6 +81,7 @@ class MeasuringTab(Generic[S], QObject):
         self.view.file_chosen.connect(self._on_file)
         results.changed.connect(self._on_results)
         self.view.results.closed.connect(results.clear)
+        self.view.results.certificate_requested.connect(self._on_certificate)
         self.view.results.set_formats(self.exporting.formats)
         self.view.results.format_chosen.connect(self._on_format)
         self.view.results.export_requested.connect(self.exporting.export)
@@ -185,6 +186,11 @@ class MeasuringTab(Generic[S], QObject):
 
     def _on_file(self, name: str) -> None:
         self.load(Path(name))
+
+    def _on_certificate(self) -> None:
+        measured = self.results.measured
+        if measured is not None:
+            self._services.certify(measured)
 
     def _on_results(self) -> None:
         page = self.results.page
