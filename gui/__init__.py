@@ -5,6 +5,7 @@ main              entry: no subcommand opens the window, a subcommand runs headl
 app               makes every part and joins them; the table of tabs
 main_window       device strip, tabs, banner, log, the rig's dock
 distance          the step of a tab over the whole window
+keys              the sheet of keys, read from the window
 commands          the subcommands of ``calrig``; no Qt
 measuring         step by step through a plan: what all measuring tabs share
 dividing_head     accelerometers on the dividing head: ClbAcc and Pointer

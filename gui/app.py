@@ -142,6 +142,7 @@ class Application(QObject):
         from gui.devices.stopping import Stopping
         from gui.devices.view import DevicesView
         from gui.distance import Distance
+        from gui.keys.showing import Keys
         from gui.handing import Handing
         from gui.services import Services
 
@@ -175,6 +176,7 @@ class Application(QObject):
             self.tabs[title] = tab
             self.window.put_tab(place, tab.widget, title)
         self.distance = Distance(self.window, self.messages)
+        self.keys = Keys(self.window, self.messages, lambda: self._root)
         self._made = True
         QTimer.singleShot(0, self._after_paint)
 

@@ -115,7 +115,6 @@ class MainWindow(QMainWindow):
         self._menu_button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.menu = WindowMenu(self.tabs, self)
         self._menu_button.setMenu(self.menu)
-        self._menu_button.setShortcut(QKeySequence("F10"))
         self.tabs.setCornerWidget(self._menu_button, Qt.Corner.TopRightCorner)
         self._dock = QDockWidget(self)
         self._dock.setObjectName("rig")
@@ -240,6 +239,8 @@ class MainWindow(QMainWindow):
     def _retranslate(self) -> None:
         self.setWindowTitle("CalRig")
         self._menu_button.setText(self.tr("Menu"))
+        # A button drops its key with every change of its text.
+        self._menu_button.setShortcut(QKeySequence("F10"))
         self._menu_button.setToolTip(self.tr("Look, sounds, keys, preferences (F10)"))
         self._dock.setWindowTitle(self.tr("Simulated rig"))
         self._adc.setWindowTitle(self.tr("View ADC Data"))
