@@ -28,7 +28,7 @@ class KeyGroup:
 
 @dataclass(frozen=True, slots=True)
 class KeySheet:
-    """Keys of the whole window, of each tab, and of what has the focus."""
+    """Keys of the whole window, of each tab, and of what has the focus; equal ones together."""
 
     groups: tuple[KeyGroup, ...]
 
@@ -55,8 +55,11 @@ def sheet_of(window: QMainWindow, tabs: QTabWidget) -> KeySheet:
         here = everywhere if page is None else tabs.tabText(page)
         for where, line in _answered(widget, own):
             (focused.setdefault(where, {}) if where else places[here])[line] = None
-    groups = [*places.items(), *focused.items()]
-    return KeySheet(tuple(KeyGroup(title, tuple(lines)) for title, lines in groups if lines))
+    alike: dict[tuple[KeyLine, ...], list[str]] = {}
+    for title, lines in (*places.items(), *focused.items()):
+        alike.setdefault(tuple(lines), []).append(title)
+    groups = (KeyGroup(", ".join(titles), lines) for lines, titles in alike.items() if lines)
+    return KeySheet(tuple(groups))
 
 
 def _pressed(window: QMainWindow) -> Iterator[tuple[QObject, KeyLine]]:
