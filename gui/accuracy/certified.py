@@ -22,12 +22,11 @@ def measured_of_check(checked: Checked) -> Measured:
     found, run = checked.found, checked.run
     known = found.temperature_c[np.isfinite(found.temperature_c)]
     name, sha256 = run.meta.get("source", checked.source), run.meta.get("source_sha256", "")
-    words = say("Pitch") if found.kind == PITCH else say("Roll")
-    table = "2.5" if found.kind == PITCH else "2.6"
+    name_of_angle = say("Pitch") if found.kind == PITCH else say("Roll")
     return Measured(
         Provenance(
-            procedure=say("{kind} against the angles of the dividing head (Table {table})").format(
-                kind=words, table=table
+            procedure=say("{kind} against the angles of the dividing head").format(
+                kind=name_of_angle
             ),
             device=found.device,
             profile=str(run.meta.get("profile", "")),

@@ -47,8 +47,17 @@ class Draft:
         self.surroundings = surroundings
         self.rule = rule
         self.limits = limits_of(measured.calibration, typed)
-        self._results = [results_html((part,)) for part in measured.printed]
-        self.parts = tuple(PartRow(title_of(part)) for part in parts_of(measured.printed))
+        self.parts: tuple[PartRow, ...] = ()
+        self.write()
+
+    def write(self) -> None:
+        """Put the results into the words of the language that is spoken now."""
+        self._results = [results_html((part,)) for part in self.measured.printed]
+        printed = [row.printed for row in self.parts] or [True] * len(self._results)
+        self.parts = tuple(
+            PartRow(title_of(part), on)
+            for part, on in zip(parts_of(self.measured.printed), printed, strict=True)
+        )
 
     @property
     def sensor(self) -> str:

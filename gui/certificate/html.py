@@ -15,6 +15,7 @@ from core.certificates.measured import Measured, Printed
 from core.procedures.calibration import Provenance
 from core.procedures.conformity import Verdict
 from gui.certificate.parts import part_html, plain, table_html
+from gui.languages.shown import shown, shown_number
 from gui.measuring.printed import parts_of
 from gui.widgets.number_text import fixed, value_and_uncertainty
 from gui.widgets.states import TableState
@@ -154,7 +155,7 @@ def _method(origin: Provenance) -> str:
     records = "; ".join(f"{name} (SHA-256 {sha[:16]}…)" for name, sha in origin.records)
     return _facts(
         {
-            _t("Procedure"): origin.procedure,
+            _t("Procedure"): shown(origin.procedure),
             _t("Plan"): origin.plan,
             _t("Measured"): origin.measured_utc,
             _t("Records"): records,
@@ -168,6 +169,7 @@ def _conditions(certificate: Certificate) -> str:
     gravity = ""
     if stated.g_mps2 > 0:
         value, u = value_and_uncertainty(stated.g_mps2, 2.0 * stated.u_g_mps2)
+        value, u = shown_number(value), shown_number(u)
         gravity = f"{value} m/s²" if not stated.u_g_mps2 > 0 else f"({value} ± {u}) m/s²"
     return _facts(
         {
@@ -185,7 +187,7 @@ def _conditions(certificate: Certificate) -> str:
 
 
 def _quantity(value: float, decimals: int, unit: str) -> str:
-    return f"{fixed(value, decimals)} {unit}" if math.isfinite(value) else ""
+    return f"{shown_number(fixed(value, decimals))} {unit}" if math.isfinite(value) else ""
 
 
 def _standards(laboratory: Laboratory) -> str:
@@ -215,7 +217,9 @@ def _uncertainty(measured: Measured) -> str:
     if not measured.coverage:
         words = _t("The positions leave no degree of freedom: no uncertainty can be stated.")
         return f"<p>{escape(words)}</p>"
-    low, high = fixed(min(measured.coverage), 2), fixed(max(measured.coverage), 2)
+    low, high = (
+        shown_number(fixed(k, 2)) for k in (min(measured.coverage), max(measured.coverage))
+    )
     span = f"k\u00a0=\u00a0{low}" if low == high else f"k\u00a0=\u00a0{low}\u00a0…\u00a0{high}"
     words = (
         _t(
@@ -255,7 +259,7 @@ def _conformity(conformity: Conformity) -> str:
         _t("Unit"),
     )
     verdict = f"<p><b>{_t('Conformity')}: {verdict_words(conformity.verdict)}</b></p>"
-    rule = f"<p>{_t('Decision rule')}: {escape(conformity.rule)}.</p>"
+    rule = f"<p>{_t('Decision rule')}: {escape(shown(conformity.rule))}.</p>"
     table = TableState(_t("Statement of conformity"), "", header, rows, 3)
     return table_html(table) + verdict + rule
 

@@ -1,21 +1,24 @@
 """Parts of a results page as HTML that a browser and Qt's text engine show alike."""
 
 import base64
+import math
 import re
+from collections.abc import Mapping
 from html import escape
 
 from PySide6.QtCore import QBuffer, QByteArray, QCoreApplication, QIODevice, QSize, Qt
 from PySide6.QtGui import QImage, QImageWriter, QPainter
 
 from core.errors import Note, Severity
+from gui.languages.shown import shown, shown_number
 from gui.measuring.page import CurveState, Part
-from gui.widgets.number_text import MINUS, aligned
+from gui.widgets.number_text import MINUS, aligned, value_and_uncertainty
 from gui.widgets.residual_plot import ResidualPlot
 from gui.widgets.states import MatrixState, ResidualState, TableState
 from gui.widgets.theme import paper_look
 
 _SYMBOL = re.compile(r"\b([A-Za-zα-ωΑ-Ω])(?:_([a-z0-9]{1,3})|(0))\b")
-_COLUMNS = 9
+_COLUMNS = 10
 """So many stand beside each other on a sheet."""
 _PICTURE = QSize(660, 260)
 _SHARP = 3
@@ -39,7 +42,7 @@ def part_html(part: Part) -> tuple[str, ...]:
 def table_html(table: TableState) -> str:
     """A table with its title and equation above; the points of its numbers stand in one column."""
     head = "".join(
-        f'<th align="{"left" if column < table.words else "right"}">{escape(name)}</th>'
+        f'<th align="{"left" if column < table.words else "right"}">{escape(shown(name))}</th>'
         for column, name in enumerate(table.header)
     )
     columns = [
@@ -49,16 +52,16 @@ def table_html(table: TableState) -> str:
     rows = "".join(
         "<tr>"
         + "".join(
-            f"<td>{symbols(escape(text))}</td>"
+            f"<td>{symbols(escape(shown(text)))}</td>"
             if place < table.words
-            else f'<td align="right" style="white-space: pre">{escape(text)}</td>'
+            else f'<td align="right" style="white-space: pre">{escape(shown_number(text))}</td>'
             for place, text in enumerate(row)
         )
         + "</tr>"
         for row in zip(*columns, strict=True)
     )
-    title = f"<h3>{escape(table.title)}</h3>" if table.title else ""
-    equation = f"<p><i>{symbols(escape(table.equation))}</i></p>" if table.equation else ""
+    title = f"<h3>{escape(shown(table.title))}</h3>" if table.title else ""
+    equation = f"<p><i>{symbols(escape(shown(table.equation)))}</i></p>" if table.equation else ""
     return (
         f'{title}{equation}<table class="grid" border="1" cellspacing="0" cellpadding="3"'
         f' width="100%"><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>'
@@ -66,24 +69,23 @@ def table_html(table: TableState) -> str:
 
 
 def _narrow(table: TableState) -> tuple[TableState, ...]:
-    """The table in as many as its columns need, the columns of words repeated in each."""
-    numbers = len(table.header) - table.words
-    most = max(1, _COLUMNS - table.words)
+    """The table in as many as its columns need, the leading columns repeated in each."""
+    lead = max(1, table.words)
+    numbers = len(table.header) - lead
+    most = max(1, _COLUMNS - lead)
     if numbers <= most:
         return (table,)
     pieces: list[TableState] = []
     count = -(-numbers // most)
     for piece in range(count):
         chosen = [
-            *range(table.words),
-            *range(
-                table.words + numbers * piece // count, table.words + numbers * (piece + 1) // count
-            ),
+            *range(lead),
+            *range(lead + numbers * piece // count, lead + numbers * (piece + 1) // count),
         ]
         title = table.title
         if piece:
             words = QCoreApplication.translate("Certificate", "{title}, further columns")
-            title = words.format(title=table.title)
+            title = words.format(title=shown(table.title))
         pieces.append(
             TableState(
                 title,
@@ -100,12 +102,14 @@ def matrix_html(matrix: MatrixState) -> str:
     """A matrix with its equation beside it; uncertainties small below the values."""
     names = ""
     if matrix.columns:
-        names = "<tr>" + "".join(f"<th>{escape(name)}</th>" for name in matrix.columns) + "</tr>"
+        names = (
+            "<tr>" + "".join(f"<th>{escape(shown(name))}</th>" for name in matrix.columns) + "</tr>"
+        )
     rows = "".join(
         "<tr>"
         + "".join(
-            f'<td align="right" style="white-space: nowrap">{escape(value)}'
-            + (f"<br/><small>± {escape(half)}</small>" if half else "")
+            f'<td align="right" style="white-space: nowrap">{escape(shown_number(value))}'
+            + (f"<br/><small>± {escape(shown_number(half))}</small>" if half else "")
             + "</td>"
             for value, half in row
         )
@@ -133,22 +137,31 @@ def residual_html(state: ResidualState) -> str:
 
 def _table_of(state: CurveState) -> TableState:
     """The points of a curve as a table: paper is read by digits."""
-    header = (state.x_label, *(name for name, *_ in state.series))
     places = sorted({x for _, xs, *_ in state.series for x in xs})
-    values = [dict(zip(xs, ys, strict=True)) for _, xs, ys, _ in state.series]
-    rows = tuple(
-        (
-            plain(x),
-            *(plain(found[x]) if x in found else "" for found in values),
-        )
-        for x in places
-    )
-    return TableState(f"{state.title}, {state.y_label}", "", header, rows, 0)
+    header, columns = [state.x_label], [[plain(x) for x in places]]
+    for name, xs, ys, u95 in state.series:
+        halves = u95 or (math.nan,) * len(xs)
+        known = dict(zip(xs, zip(ys, halves, strict=True), strict=True))
+        header.append(name)
+        columns.append([_point(known, x)[0] for x in places])
+        if u95:
+            header.append("±U")
+            columns.append([_point(known, x)[1] for x in places])
+    rows = tuple(zip(*columns, strict=True))
+    return TableState(f"{state.title}, {state.y_label}", "", tuple(header), rows, 0)
+
+
+def _point(known: Mapping[float, tuple[float, float]], x: float) -> tuple[str, str]:
+    """Value and uncertainty of a curve at a place; empty where it has no point."""
+    if x not in known:
+        return "", ""
+    value, half = known[x]
+    return value_and_uncertainty(value, half) if half > 0 else (plain(value), "")
 
 
 def plain(value: float) -> str:
     """A number that was set, without digits that nobody stated."""
-    return f"{value:.6g}".replace("-", MINUS)
+    return f"{value:.5g}".replace("-", MINUS)
 
 
 def note_html(note: Note) -> str:
@@ -158,7 +171,7 @@ def note_html(note: Note) -> str:
         Severity.WARNING: QCoreApplication.translate("Certificate", "Warning"),
         Severity.ERROR: QCoreApplication.translate("Certificate", "Error"),
     }
-    return f"<p><b>{escape(words[note.severity])}:</b> {escape(note.text)}</p>"
+    return f"<p><b>{escape(words[note.severity])}:</b> {escape(shown(note.text))}</p>"
 
 
 def symbols(text: str) -> str:

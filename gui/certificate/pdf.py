@@ -5,6 +5,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QBuffer, QCoreApplication, QIODevice, QMarginsF, QRectF, Qt
 from PySide6.QtGui import QFont, QPageLayout, QPageSize, QPainter, QPdfWriter, QTextDocument
+from PySide6.QtWidgets import QApplication
 
 from core.records.atomic import write_bytes_atomic
 from core.version import SOFTWARE
@@ -45,6 +46,11 @@ class Piece:
     section: QTextDocument
     source: tuple[float, float]
     top: float
+
+
+def application_for_paper() -> QCoreApplication:
+    """What Qt needs before anything is drawn, where there is no window; keep it while drawing."""
+    return QApplication.instance() or QApplication(["calrig"])
 
 
 class Paper:

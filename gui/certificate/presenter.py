@@ -98,6 +98,14 @@ class CertificatePresenter(QObject):
         """The tab comes to the front: other programs may have issued meanwhile."""
         self._start("certificates", lambda: entries_of(Register(self.folder)))
 
+    def retranslate(self) -> None:
+        """Another language is spoken: everything is written anew."""
+        if self._draft is not None:
+            self._draft.write()
+        if self._shown is not None:
+            self._shown_results = results_html(self._shown.certificate.measured.printed)
+        self._lay_out()
+
     # --- where results come from ------------------------------------------------------------------
 
     def take(self, measured: Measured) -> None:

@@ -5,6 +5,7 @@ from PySide6.QtCore import QCoreApplication
 from core.certificates.register import Issued
 from core.procedures.conformity import RULES, Verdict
 from gui.certificate.html import verdict_words
+from gui.languages.shown import shown
 from gui.measuring.page import CurveState, Part
 from gui.widgets.states import ActionItem, ResidualState, TableState
 
@@ -48,16 +49,16 @@ def rule_titles() -> dict[str, str]:
 def title_of(part: Part) -> str:
     """A part of the results in a few words."""
     if isinstance(part, TableState):
-        return part.title
+        return shown(part.title)
     if isinstance(part, ResidualState):
         return say("Residuals by position")
     if isinstance(part, CurveState):
-        return part.title
+        return shown(part.title)
     if isinstance(part, tuple):
         return say("Matrices {names}").format(
             names=", ".join(one.symbol.split("=")[0].strip() for one in part)
         )
-    return part.text
+    return shown(part.text)
 
 
 def status_words(one: Issued) -> str:

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import QEvent, Qt, QTimer
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
     QFileDialog,
@@ -174,7 +174,8 @@ class CertificateView(QWidget):
         if event.type() == QEvent.Type.LanguageChange:
             self._retranslate()
             self._notes = ()
-            self.render(self._presenter.state)
+            # Qt tells the language before the words of states are at hand.
+            QTimer.singleShot(0, self._presenter.retranslate)
 
     def _retranslate(self) -> None:
         names = (

@@ -40,6 +40,7 @@ COMMANDS = {
     "export": Entry("gui.commands.export", "write a calibration as JSON, C header, MATLAB or CSV"),
     "convert": Entry("gui.commands.convert", "convert between legacy files, run files, sessions"),
     "archive": Entry("gui.commands.archive", "find, compare, follow everything that was measured"),
+    "certificate": Entry("gui.commands.certificate", "issue a calibration certificate"),
     "demo": Entry("gui.commands.demo", "measure a session in the window, by itself"),
     "means": Entry("gui.commands.means", "average the records of a folder"),
     "simulate": Entry("gui.commands.simulate", "measure a session on the simulated rig"),

@@ -1,0 +1,135 @@
+"""A calibration certificate as PDF, HTML and JSON from a file of results.
+
+    calrig certificate SESSION --laboratory lab.json --order order.toml --out CERTIFICATES
+
+FILE is a session's folder, a run file, a file of the old programs, or a calibration (JSON). The
+laboratory's file is the one that the window keeps, laboratory.json; order.toml holds customer,
+item, surroundings and limits:
+
+    [order]
+    customer = "Plant No. 5, Kharkiv"
+    contact = "O. Ivanenko"
+    item = "inclinometer"
+    serial = "PW09-17"
+    condition = "without visible damage"
+
+    [surroundings]
+    temperature_c = 22.5
+
+    [conformity]
+    rule = "guarded"
+    [[conformity.limit]]
+    parameter = "bias"
+    limit = 600.0
+
+The number is given once: the folder is the register of the laboratory. Exit code 1: issued, but
+ISO/IEC 17025 asks for something that is not stated (or a limit is not kept).
+"""
+
+import argparse
+import os
+import sys
+from dataclasses import replace
+from datetime import date
+from pathlib import Path
+
+from core.samples.run import Conditions
+from gui.commands.answer import Answer
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the files, and what the laboratory states."""
+    from gui.commands.conditions import add_conditions
+
+    parser.add_argument("file", type=Path, metavar="FILE")
+    parser.add_argument(
+        "--laboratory", type=Path, required=True, metavar="JSON", help="the laboratory's file"
+    )
+    parser.add_argument("--order", type=Path, metavar="TOML", help="customer, item, limits")
+    parser.add_argument("--out", type=Path, default=Path("certificates"), metavar="FOLDER")
+    parser.add_argument("--device", help="which one, where a file holds several")
+    parser.add_argument("--language", default="en", choices=["en", "uk"], help="of the words")
+    parser.add_argument(
+        "--draft", action="store_true", help="write PDF and HTML only; no number is given"
+    )
+    add_conditions(parser)
+
+
+def run(args: argparse.Namespace) -> Answer:
+    """Process the file, state what is stated, give the number, write everything."""
+    if sys.platform.startswith("linux"):
+        os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+    from core.certificates.certificate import Certificate
+    from core.certificates.laboratory import read_laboratory
+    from core.certificates.limits import judge_calibration
+    from core.certificates.order_file import OrderFile, read_order
+    from core.certificates.register import Register
+    from core.errors import FormatError, StorageError
+    from core.procedures.conformity import Verdict
+    from gui.certificate.draft import day_of_moment
+    from gui.certificate.html import results_html
+    from gui.certificate.issuing import issue, write_files
+    from gui.certificate.pdf import application_for_paper
+    from gui.languages.choice import Languages
+    from gui.measured_file import measured_of_file
+
+    if not args.laboratory.exists():
+        raise FormatError(args.laboratory, "is not there; the window keeps it beside the sessions")
+    application = application_for_paper()
+    languages = Languages(args.language)
+    laboratory = read_laboratory(args.laboratory)
+    stated = OrderFile() if args.order is None else read_order(args.order)
+    measured = measured_of_file(args.file, _conditions(args), args.device)
+    origin = measured.provenance
+    order = replace(
+        stated.order,
+        serial=stated.order.serial or origin.device,
+        calibrated=stated.order.calibrated or day_of_moment(origin.measured_utc),
+        issued=stated.order.issued or date.today().isoformat(),
+    )
+    conformity = measured.conformity
+    if measured.calibration is not None:
+        conformity = judge_calibration(measured.calibration, stated.limits, stated.rule)
+    draft = Certificate("", laboratory, order, measured, stated.surroundings, conformity)
+    results, folder = results_html(measured.printed), args.laboratory.parent
+    args.out.mkdir(parents=True, exist_ok=True)
+    if args.draft:
+        draft = replace(draft, number="DRAFT")
+        files = write_files(draft, results, folder, args.out / "draft.json")
+        lines = ["draft, without a number"]
+    else:
+        done = issue(Register(args.out), draft, results, folder)
+        if done.problem:
+            raise StorageError(f"No. {done.certificate.number} is issued, but {done.problem}")
+        draft, files = done.certificate, (done.path, *done.files)
+        lines = [f"No. {draft.number}"]
+    del application, languages
+    missing, doubts = draft.missing(), draft.doubts()
+    lines += [str(path) for path in files]
+    lines += [f"missing: {words}" for words in missing]
+    lines += [f"{note.severity.value}: {note.text}" for note in doubts]
+    if conformity is not None:
+        lines.append(f"conformity: {conformity.verdict.value}")
+    data = {
+        "number": draft.number,
+        "files": files,
+        "missing": missing,
+        "doubts": doubts,
+        "verdict": None if conformity is None else conformity.verdict.value,
+    }
+    failed = conformity is not None and conformity.verdict is not Verdict.PASS
+    return Answer(data, "\n".join(lines), code=1 if missing or failed else 0)
+
+
+def _conditions(args: argparse.Namespace) -> Conditions:
+    """What was stated on the command line, and nothing else."""
+    stated = {
+        "g_mps2": args.g,
+        "u_g_mps2": args.u_g,
+        "head_u_arcsec": args.head_u,
+        "latitude_deg": args.latitude,
+        "rate_u_ppm": args.rate_u_ppm,
+        "rate_u_dps": args.rate_u_dps,
+    }
+    return Conditions(**{name: value for name, value in stated.items() if value is not None})
