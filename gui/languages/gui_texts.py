@@ -274,7 +274,13 @@ def _literal(node: ast.expr) -> str | None:
 def _is_translate(function: ast.expr) -> bool:
     if isinstance(function, ast.Name):
         return function.id == "translate"
-    return isinstance(function, ast.Attribute) and function.attr == "translate"
+    # Painters have a method of that name too, which moves the origin.
+    return (
+        isinstance(function, ast.Attribute)
+        and function.attr == "translate"
+        and isinstance(function.value, ast.Name)
+        and function.value.id == "QCoreApplication"
+    )
 
 
 def _module(path: Path, tree: ast.Module) -> Module:

@@ -68,6 +68,8 @@ def is_window(path: str) -> bool:
 def all_texts(sources: Sources) -> tuple[list[Text], list[str]]:
     """Return every text that can be on a screen, and complaints about what cannot be followed."""
     called, complaints = gui_texts(sources)
+    # What is said below the views is found again as a template, wherever it came from.
+    complaints = [one for one in complaints if is_window(one.partition(":")[0])]
     texts: dict[tuple[str, str], Text] = {}
     for text in called:
         context = text.context if is_window(text.place) else CONTEXT

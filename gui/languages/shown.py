@@ -77,18 +77,10 @@ class Book:
             if message.context != SHOWN or not message.translation:
                 continue
             self._exact[message.source] = message.translation
-            if _GAP.search(message.source):
-                parts = _GAP.split(message.source)
+            for source, words in _forms(message):
+                parts = _GAP.split(source)
                 weight = sum(len(part.strip()) for part in parts)
-                clue = max(parts, key=len)
-                templates.append(_Template(message.source, message.translation, clue, weight))
-                if message.source.startswith(_TAILS):
-                    # What is put behind another text: that text is a gap too.
-                    source, words = (
-                        f"{{before}}{message.source}",
-                        f"{{before}}{message.translation}",
-                    )
-                    templates.append(_Template(source, words, clue, weight))
+                templates.append(_Template(source, words, max(parts, key=len), weight))
         self._templates = sorted(templates, key=lambda one: -one.weight)
         # Bound here: a method cached by its class would keep every book alive.
         self.translate = lru_cache(maxsize=8192)(self._translate)
@@ -190,6 +182,14 @@ def shown_number(text: str) -> str:
     """Return a number as text with the decimal mark of the language."""
     book = _Voice.book
     return text if book is None else book.number(text)
+
+
+def _forms(message: Message) -> Iterable[tuple[str, str]]:
+    """The templates of an entry; what is put behind another text has a gap for that one."""
+    if _GAP.search(message.source):
+        yield message.source, message.translation
+    if message.source.startswith(_TAILS):
+        yield f"{{before}}{message.source}", f"{{before}}{message.translation}"
 
 
 def _pattern(template: _Template) -> re.Pattern[str]:

@@ -426,6 +426,34 @@
         </message>
     </context>
     <context>
+        <name>Callout</name>
+        <message>
+            <location filename="../../gui/tour/view.py" />
+            <source>{number} of {count}</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/tour/view.py" />
+            <source>Next</source>
+            <translation>Далі</translation>
+        </message>
+        <message>
+            <location filename="../../gui/tour/view.py" />
+            <source>Done</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/tour/view.py" />
+            <source>Leave the tour</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/tour/view.py" />
+            <source>Back</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
         <name>Certificate</name>
         <message>
             <location filename="../../gui/certificate/html.py" />
@@ -460,7 +488,7 @@
         <message>
             <location filename="../../gui/certificate/html.py" />
             <source>Replaces certificate No. {number}, which holds no longer.</source>
-            <translation type="unfinished" />
+            <translation>Замінює сертифікат № {number}, який більше не чинний.</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/html.py" />
@@ -515,7 +543,7 @@
         <message>
             <location filename="../../gui/certificate/html.py" />
             <source>What was changed</source>
-            <translation type="unfinished" />
+            <translation>Що змінено</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/html.py" />
@@ -640,7 +668,7 @@
         <message>
             <location filename="../../gui/certificate/html.py" />
             <source>The stated uncertainty is the expanded uncertainty U: the standard uncertainty times the coverage factor {span}, for a normal distribution and a coverage probability of 95 %.</source>
-            <translation type="unfinished" />
+            <translation>Зазначена невизначеність є розширеною невизначеністю U: стандартна невизначеність, помножена на коефіцієнт охоплення {span}, для нормального розподілу і ймовірності охоплення 95 %.</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/html.py" />
@@ -675,7 +703,7 @@
         <message>
             <location filename="../../gui/certificate/html.py" />
             <source>± Limit</source>
-            <translation type="unfinished" />
+            <translation>± Limit</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/html.py" />
@@ -720,7 +748,7 @@
         <message>
             <location filename="../../gui/certificate/parts.py" />
             <source>{title}, further columns</source>
-            <translation type="unfinished" />
+            <translation>{title}, решта стовпців</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/parts.py" />
@@ -758,87 +786,87 @@
         <message>
             <location filename="../../gui/certificate/limits.py" />
             <source>a limit must be above zero</source>
-            <translation type="unfinished" />
+            <translation>межа має бути більша за нуль</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/presenter.py" />
             <source>No certificate can be made of these results</source>
-            <translation type="unfinished" />
+            <translation>З цих результатів сертифікат не скласти</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/presenter.py" />
             <source>The certificate cannot be read</source>
-            <translation type="unfinished" />
+            <translation>Сертифікат неможливо прочитати</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/presenter.py" />
             <source>A withdrawal needs a reason</source>
-            <translation type="unfinished" />
+            <translation>Відкликання потребує причини</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/presenter.py" />
             <source>Missing: {list}.</source>
-            <translation type="unfinished" />
+            <translation>Бракує: {list}.</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/presenter.py" />
             <source>The certificate is not complete</source>
-            <translation type="unfinished" />
+            <translation>Сертифікат неповний</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/presenter.py" />
             <source>What is issued gets its number for ever.</source>
-            <translation type="unfinished" />
+            <translation>Виданий сертифікат отримує номер назавжди.</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/presenter.py" />
             <source>Issue all the same</source>
-            <translation type="unfinished" />
+            <translation>Видати попри це</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/presenter.py" />
             <source>The laboratory's file is refused</source>
-            <translation type="unfinished" />
+            <translation>Файл лабораторії відхилено</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/presenter.py" />
             <source>The laboratory's file is not written</source>
-            <translation type="unfinished" />
+            <translation>Файл лабораторії не записано</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/presenter.py" />
             <source>No. {number} is issued, its PDF is not written</source>
-            <translation type="unfinished" />
+            <translation>№ {number} видано, його PDF не записано</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/presenter.py" />
             <source>Write PDF and HTML does it once there is room.</source>
-            <translation type="unfinished" />
+            <translation>«Записати PDF і HTML» зробить це, коли буде місце.</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/presenter.py" />
             <source>No. {number} is issued</source>
-            <translation type="unfinished" />
+            <translation>№ {number} видано</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/presenter.py" />
             <source>The certificate could not be worked on</source>
-            <translation type="unfinished" />
+            <translation>З сертифікатом неможливо працювати</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/scene.py" />
             <source>Process a calibration or a check in its tab and press Certificate on the page of its results; or load a session, a run file, an old file or a calibration here (Ctrl+O).</source>
-            <translation type="unfinished" />
+            <translation>Обробіть калібрування або перевірку в їх вкладці й натисніть «Сертифікат» на сторінці результатів; або завантажте тут сеанс, файл серії, старий файл чи калібрування (Ctrl+O).</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/scene.py" />
             <source>There are no results yet</source>
-            <translation type="unfinished" />
+            <translation>Результатів ще немає</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/scene.py" />
             <source>Files are being read or written</source>
-            <translation type="unfinished" />
+            <translation>Файли читаються або записуються</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/texts.py" />
@@ -863,17 +891,17 @@
         <message>
             <location filename="../../gui/certificate/texts.py" />
             <source>customer</source>
-            <translation type="unfinished" />
+            <translation>замовник</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/texts.py" />
             <source>contact of the customer</source>
-            <translation type="unfinished" />
+            <translation>контакт замовника</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/texts.py" />
             <source>item</source>
-            <translation type="unfinished" />
+            <translation>виріб</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/texts.py" />
@@ -883,7 +911,7 @@
         <message>
             <location filename="../../gui/certificate/texts.py" />
             <source>condition of the item</source>
-            <translation type="unfinished" />
+            <translation>стан виробу</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/texts.py" />
@@ -898,32 +926,32 @@
         <message>
             <location filename="../../gui/certificate/texts.py" />
             <source>ambient temperature</source>
-            <translation type="unfinished" />
+            <translation>температура довкілля</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/texts.py" />
             <source>results</source>
-            <translation type="unfinished" />
+            <translation>результати</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/texts.py" />
             <source>uncertainty of the results</source>
-            <translation type="unfinished" />
+            <translation>невизначеність результатів</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/texts.py" />
             <source>what was changed, and why</source>
-            <translation type="unfinished" />
+            <translation>що змінено і чому</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/texts.py" />
             <source>guard band U (JCGM 106)</source>
-            <translation type="unfinished" />
+            <translation>захисна смуга U (JCGM 106)</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/texts.py" />
             <source>simple acceptance (ILAC-G8)</source>
-            <translation type="unfinished" />
+            <translation>просте прийняття (ILAC-G8)</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/texts.py" />
@@ -933,32 +961,32 @@
         <message>
             <location filename="../../gui/certificate/texts.py" />
             <source>Matrices {names}</source>
-            <translation type="unfinished" />
+            <translation>Матриці {names}</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/texts.py" />
             <source>damaged</source>
-            <translation type="unfinished" />
+            <translation>пошкоджено</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/texts.py" />
             <source>withdrawn</source>
-            <translation type="unfinished" />
+            <translation>відкликано</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/texts.py" />
             <source>replaced by {number}</source>
-            <translation type="unfinished" />
+            <translation>замінено на {number}</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/texts.py" />
             <source>valid</source>
-            <translation type="unfinished" />
+            <translation>чинний</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/texts.py" />
             <source>Issue</source>
-            <translation type="unfinished" />
+            <translation>Видати</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/texts.py" />
@@ -968,27 +996,27 @@
         <message>
             <location filename="../../gui/certificate/texts.py" />
             <source>Back to the draft</source>
-            <translation type="unfinished" />
+            <translation>Назад до чернетки</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/texts.py" />
             <source>Replace</source>
-            <translation type="unfinished" />
+            <translation>Замінити</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/texts.py" />
             <source>It was replaced or withdrawn before</source>
-            <translation type="unfinished" />
+            <translation>Його вже замінено або відкликано</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/texts.py" />
             <source>Write PDF and HTML</source>
-            <translation type="unfinished" />
+            <translation>Записати PDF і HTML</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/texts.py" />
             <source>They are there; nothing is overwritten</source>
-            <translation type="unfinished" />
+            <translation>Вони вже є; нічого не перезаписується</translation>
         </message>
     </context>
     <context>
@@ -996,32 +1024,32 @@
         <message>
             <location filename="../../gui/certificate/view.py" />
             <source>No results yet</source>
-            <translation type="unfinished" />
+            <translation>Результатів ще немає</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/view.py" />
             <source>No. {number}, issued</source>
-            <translation type="unfinished" />
+            <translation>№ {number}, видано</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/view.py" />
             <source>Draft No. {number}</source>
-            <translation type="unfinished" />
+            <translation>Чернетка № {number}</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/view.py" />
             <source>ISO/IEC 17025 asks for: {list}</source>
-            <translation type="unfinished" />
+            <translation>ISO/IEC 17025 вимагає: {list}</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/view.py" />
             <source>Results for a certificate</source>
-            <translation type="unfinished" />
+            <translation>Результати для сертифіката</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/view.py" />
             <source>Calibrations, sessions, runs (*.json *.jsonl *.csv *.txt)</source>
-            <translation type="unfinished" />
+            <translation>Калібрування, сеанси, серії (*.json *.jsonl *.csv *.txt)</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/view.py" />
@@ -1036,12 +1064,12 @@
         <message>
             <location filename="../../gui/certificate/view.py" />
             <source>Limits</source>
-            <translation type="unfinished" />
+            <translation>Межі</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/view.py" />
             <source>Laboratory</source>
-            <translation type="unfinished" />
+            <translation>Лабораторія</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/view.py" />
@@ -1051,7 +1079,7 @@
         <message>
             <location filename="../../gui/certificate/view.py" />
             <source>Parts of the form</source>
-            <translation type="unfinished" />
+            <translation>Частини форми</translation>
         </message>
     </context>
     <context>
@@ -1059,7 +1087,7 @@
         <message>
             <location filename="../../gui/discrepancy/candidate_view.py" />
             <source>{chance} % to decide</source>
-            <translation type="unfinished" />
+            <translation>{chance} % на рішення</translation>
         </message>
     </context>
     <context>
@@ -1368,6 +1396,59 @@
         </message>
     </context>
     <context>
+        <name>DefinitionView</name>
+        <message>
+            <location filename="../../gui/frames/definition_view.py" />
+            <source>Both meanings are shown; the stream says which one fits.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/definition_view.py" />
+            <source>Header</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/definition_view.py" />
+            <source>Length</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/definition_view.py" />
+            <source>Checksum</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/definition_view.py" />
+            <source>Device name</source>
+            <translation>Назва пристрою</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/definition_view.py" />
+            <source>Kind</source>
+            <translation>Вид</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/definition_view.py" />
+            <source> bytes</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/definition_view.py" />
+            <source>Save device file</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/definition_view.py" />
+            <source>Save and connect</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/definition_view.py" />
+            <source>what the operators call the board</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
         <name>DeviceStrip</name>
         <message>
             <location filename="../../gui/widgets/device_strip.py" />
@@ -1561,7 +1642,7 @@
         <message>
             <location filename="../../gui/discrepancy/view.py" />
             <source>Measurements (*.run.csv *.txt session.json)</source>
-            <translation type="unfinished" />
+            <translation>Вимірювання (*.run.csv *.txt session.json)</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/view.py" />
@@ -1571,7 +1652,7 @@
         <message>
             <location filename="../../gui/discrepancy/view.py" />
             <source>Where the residual has structure</source>
-            <translation type="unfinished" />
+            <translation>Де залишок має структуру</translation>
         </message>
     </context>
     <context>
@@ -1579,12 +1660,12 @@
         <message>
             <location filename="../../gui/widgets/distance_view.py" />
             <source>Next: {step}</source>
-            <translation type="unfinished" />
+            <translation>Далі: {step}</translation>
         </message>
         <message>
             <location filename="../../gui/widgets/distance_view.py" />
             <source>Esc leaves</source>
-            <translation type="unfinished" />
+            <translation>Esc — вихід</translation>
         </message>
     </context>
     <context>
@@ -1624,11 +1705,94 @@
         </message>
     </context>
     <context>
+        <name>FieldForm</name>
+        <message>
+            <location filename="../../gui/frames/field_form_view.py" />
+            <source>Name</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/field_form_view.py" />
+            <source>Type</source>
+            <translation>Тип</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/field_form_view.py" />
+            <source>Scale</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/field_form_view.py" />
+            <source>Offset</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/field_form_view.py" />
+            <source>Unit</source>
+            <translation>Одиниця</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/field_form_view.py" />
+            <source>Role</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/field_form_view.py" />
+            <source>little endian</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/field_form_view.py" />
+            <source>big endian</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/field_form_view.py" />
+            <source>Byte order</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/field_form_view.py" />
+            <source>A number or an expression, such as 20*9.80665/65536</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/field_form_view.py" />
+            <source>Tells the program what it measures: acc in m/s^2, rate in deg/s, temp in degC</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/field_form_view.py" />
+            <source>No channel</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/field_form_view.py" />
+            <source>Add field</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/field_form_view.py" />
+            <source>Makes numbers of the bytes pointed at (Enter)</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/field_form_view.py" />
+            <source>Remove field</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/field_form_view.py" />
+            <source>Takes away the fields on the bytes pointed at (Delete)</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
         <name>FindingsView</name>
         <message>
             <location filename="../../gui/discrepancy/findings_view.py" />
             <source>Nothing is undecided: no further measurement is proposed.</source>
-            <translation type="unfinished" />
+            <translation>Нічого не лишилося невирішеним: подальших вимірювань не пропонується.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/findings_view.py" />
@@ -1638,22 +1802,22 @@
         <message>
             <location filename="../../gui/discrepancy/findings_view.py" />
             <source>Candidates</source>
-            <translation type="unfinished" />
+            <translation>Кандидати</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/findings_view.py" />
             <source>Measure next</source>
-            <translation type="unfinished" />
+            <translation>Виміряти далі</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/findings_view.py" />
             <source>What can be seen</source>
-            <translation type="unfinished" />
+            <translation>Що можна побачити</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/findings_view.py" />
             <source>Measure next ({count})</source>
-            <translation type="unfinished" />
+            <translation>Виміряти далі ({count})</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/findings_view.py" />
@@ -1672,16 +1836,29 @@
         </message>
     </context>
     <context>
+        <name>FramesView</name>
+        <message>
+            <location filename="../../gui/frames/view.py" />
+            <source>Bytes of the stream, one frame a row</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/view.py" />
+            <source>Numbers of the board</source>
+            <translation type="unfinished" />
+        </message>
+    </context>
+    <context>
         <name>GapBar</name>
         <message>
             <location filename="../../gui/discrepancy/ladder_view.py" />
             <source>gap {gap}</source>
-            <translation type="unfinished" />
+            <translation>розбіжність {gap}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/ladder_view.py" />
             <source>Gap {gap} noise floors; rows left out of the fit: {held}</source>
-            <translation type="unfinished" />
+            <translation>Розбіжність {gap} рівнів шуму; рядки, вилучені з оцінки: {held}</translation>
         </message>
     </context>
     <context>
@@ -1788,17 +1965,17 @@
         <message>
             <location filename="../../gui/keys/view.py" />
             <source>Find a key or what it does</source>
-            <translation type="unfinished" />
+            <translation>Знайти клавішу або її дію</translation>
         </message>
         <message>
             <location filename="../../gui/keys/view.py" />
             <source>Save as PDF</source>
-            <translation type="unfinished" />
+            <translation>Зберегти як PDF</translation>
         </message>
         <message>
             <location filename="../../gui/keys/view.py" />
             <source>Close</source>
-            <translation type="unfinished" />
+            <translation>Закрити</translation>
         </message>
     </context>
     <context>
@@ -1814,22 +1991,22 @@
         <message>
             <location filename="../../gui/certificate/laboratory_view.py" />
             <source>Pictures (*.png *.jpg *.jpeg *.svg)</source>
-            <translation type="unfinished" />
+            <translation>Рисунки (*.png *.jpg *.jpeg *.svg)</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/laboratory_view.py" />
             <source>Kept in laboratory.json in the folder of sessions, for all certificates.</source>
-            <translation type="unfinished" />
+            <translation>Зберігається в laboratory.json у теці сеансів, для всіх сертифікатів.</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/laboratory_view.py" />
             <source>Laboratory</source>
-            <translation type="unfinished" />
+            <translation>Лабораторія</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/laboratory_view.py" />
             <source>Address</source>
-            <translation type="unfinished" />
+            <translation>Адреса</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/laboratory_view.py" />
@@ -1844,7 +2021,7 @@
         <message>
             <location filename="../../gui/certificate/laboratory_view.py" />
             <source>Logo</source>
-            <translation type="unfinished" />
+            <translation>Логотип</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/laboratory_view.py" />
@@ -1859,47 +2036,47 @@
         <message>
             <location filename="../../gui/certificate/laboratory_view.py" />
             <source>Number</source>
-            <translation type="unfinished" />
+            <translation>Номер</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/laboratory_view.py" />
             <source>Further text</source>
-            <translation type="unfinished" />
+            <translation>Додатковий текст</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/laboratory_view.py" />
             <source>of calibration, if it is another one</source>
-            <translation type="unfinished" />
+            <translation>калібрування, якщо інше</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/laboratory_view.py" />
             <source>number and body, if any</source>
-            <translation type="unfinished" />
+            <translation>номер і орган, якщо є</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/laboratory_view.py" />
             <source>picture, PNG, JPEG or SVG</source>
-            <translation type="unfinished" />
+            <translation>рисунок, PNG, JPEG або SVG</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/laboratory_view.py" />
             <source>at the end of every certificate</source>
-            <translation type="unfinished" />
+            <translation>наприкінці кожного сертифіката</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/laboratory_view.py" />
             <source>{year} and {n} are replaced; {n:04d} is the number with four digits</source>
-            <translation type="unfinished" />
+            <translation>{year} і {n} замінюються; {n:04d} — номер із чотирьох цифр</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/laboratory_view.py" />
             <source>Choose logo</source>
-            <translation type="unfinished" />
+            <translation>Вибрати логотип</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/laboratory_view.py" />
             <source>Standards</source>
-            <translation type="unfinished" />
+            <translation>Еталони</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/laboratory_view.py" />
@@ -1914,7 +2091,7 @@
         <message>
             <location filename="../../gui/certificate/laboratory_view.py" />
             <source>Standards and their traceability</source>
-            <translation type="unfinished" />
+            <translation>Еталони та їх простежуваність</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/laboratory_view.py" />
@@ -1947,12 +2124,12 @@
         <message>
             <location filename="../../gui/discrepancy/ladder_view.py" />
             <source>The ladder</source>
-            <translation type="unfinished" />
+            <translation>Драбина</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/ladder_view.py" />
             <source>Bars: gap in noise floors (dotted: the floor, 1). Stroke: rows left out.</source>
-            <translation type="unfinished" />
+            <translation>Смуги: розбіжність у рівнях шуму (пунктир: рівень, 1). Риска: вилучені рядки.</translation>
         </message>
     </context>
     <context>
@@ -1960,12 +2137,12 @@
         <message>
             <location filename="../../gui/certificate/limits_view.py" />
             <source>Conformity: {verdict}</source>
-            <translation type="unfinished" />
+            <translation>Відповідність: {verdict}</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/limits_view.py" />
             <source>A parameter with a limit is judged: its deviation from the nominal value, 0 if none is given, in all sensors that have it. A check brings its verdict with it.</source>
-            <translation type="unfinished" />
+            <translation>Параметр із межею оцінюється: його відхил від номінального значення (0, якщо не задано) в усіх датчиках, що його мають. Перевірка приносить своє рішення з собою.</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/limits_view.py" />
@@ -1975,17 +2152,17 @@
         <message>
             <location filename="../../gui/certificate/limits_view.py" />
             <source>Printed</source>
-            <translation type="unfinished" />
+            <translation>Друкується</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/limits_view.py" />
             <source>Limits of the parameters</source>
-            <translation type="unfinished" />
+            <translation>Межі параметрів</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/limits_view.py" />
             <source>Parts of the results that are printed</source>
-            <translation type="unfinished" />
+            <translation>Частини результатів, що друкуються</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/limits_view.py" />
@@ -1995,7 +2172,7 @@
         <message>
             <location filename="../../gui/certificate/limits_view.py" />
             <source>Found</source>
-            <translation type="unfinished" />
+            <translation>Знайдено</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/limits_view.py" />
@@ -2005,12 +2182,12 @@
         <message>
             <location filename="../../gui/certificate/limits_view.py" />
             <source>Nominal</source>
-            <translation type="unfinished" />
+            <translation>Номінал</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/limits_view.py" />
             <source>± Limit</source>
-            <translation type="unfinished" />
+            <translation>± Limit</translation>
         </message>
     </context>
     <context>
@@ -2038,7 +2215,7 @@
         <message>
             <location filename="../../gui/measuring/live_view.py" />
             <source>Termo (code)</source>
-            <translation>Термо (код)</translation>
+            <translation>Термо (code)</translation>
         </message>
     </context>
     <context>
@@ -2132,12 +2309,12 @@
         <message>
             <location filename="../../gui/main_window.py" />
             <source>Menu</source>
-            <translation type="unfinished" />
+            <translation>Меню</translation>
         </message>
         <message>
             <location filename="../../gui/main_window.py" />
             <source>Look, sounds, keys, preferences (F10)</source>
-            <translation type="unfinished" />
+            <translation>Вигляд, звуки, клавіші, налаштування (F10)</translation>
         </message>
         <message>
             <location filename="../../gui/main_window.py" />
@@ -2352,12 +2529,12 @@
         <message>
             <location filename="../../gui/certificate/order_view.py" />
             <source>year-month-day</source>
-            <translation type="unfinished" />
+            <translation>рік-місяць-день</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/order_view.py" />
             <source>Surroundings</source>
-            <translation type="unfinished" />
+            <translation>Довкілля</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/order_view.py" />
@@ -2367,7 +2544,7 @@
         <message>
             <location filename="../../gui/certificate/order_view.py" />
             <source>Contact</source>
-            <translation type="unfinished" />
+            <translation>Контакт</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/order_view.py" />
@@ -2377,7 +2554,7 @@
         <message>
             <location filename="../../gui/certificate/order_view.py" />
             <source>Type</source>
-            <translation type="unfinished" />
+            <translation>Тип</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/order_view.py" />
@@ -2387,7 +2564,7 @@
         <message>
             <location filename="../../gui/certificate/order_view.py" />
             <source>Condition</source>
-            <translation type="unfinished" />
+            <translation>Стан</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/order_view.py" />
@@ -2417,62 +2594,62 @@
         <message>
             <location filename="../../gui/certificate/order_view.py" />
             <source>Replaces No.</source>
-            <translation type="unfinished" />
+            <translation>Замінює №</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/order_view.py" />
             <source>What was changed</source>
-            <translation type="unfinished" />
+            <translation>Що змінено</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/order_view.py" />
             <source>name and address</source>
-            <translation type="unfinished" />
+            <translation>назва й адреса</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/order_view.py" />
             <source>e.g. inclinometer, triad of accelerometers</source>
-            <translation type="unfinished" />
+            <translation>напр. інклінометр, тріада акселерометрів</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/order_view.py" />
             <source>e.g. without visible damage</source>
-            <translation type="unfinished" />
+            <translation>напр. без видимих пошкоджень</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/order_view.py" />
             <source>what was found, or that nothing was adjusted</source>
-            <translation type="unfinished" />
+            <translation>що виявлено, або що нічого не регулювали</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/order_view.py" />
             <source>deviations from the method, opinions</source>
-            <translation type="unfinished" />
+            <translation>відхилення від методики, думки</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/order_view.py" />
             <source>and why</source>
-            <translation type="unfinished" />
+            <translation>і чому</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/order_view.py" />
             <source>Air temperature, °C</source>
-            <translation type="unfinished" />
+            <translation>Температура повітря, °C</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/order_view.py" />
             <source>Relative humidity, %</source>
-            <translation type="unfinished" />
+            <translation>Відносна вологість, %</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/order_view.py" />
             <source>Air pressure, hPa</source>
-            <translation type="unfinished" />
+            <translation>Атмосферний тиск, hPa</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/order_view.py" />
             <source>Supply of the item, V</source>
-            <translation type="unfinished" />
+            <translation>Живлення виробу, V</translation>
         </message>
     </context>
     <context>
@@ -2518,17 +2695,17 @@
         <message>
             <location filename="../../gui/discrepancy/plots_view.py" />
             <source>output, {unit}</source>
-            <translation type="unfinished" />
+            <translation>вихід, {unit}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/plots_view.py" />
             <source>simulated, plain model</source>
-            <translation type="unfinished" />
+            <translation>симуляція, проста модель</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/plots_view.py" />
             <source>simulated, with the effects</source>
-            <translation type="unfinished" />
+            <translation>симуляція, з ефектами</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/plots_view.py" />
@@ -2538,22 +2715,22 @@
         <message>
             <location filename="../../gui/discrepancy/plots_view.py" />
             <source>residual</source>
-            <translation type="unfinished" />
+            <translation>залишок</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/plots_view.py" />
             <source>structure</source>
-            <translation type="unfinished" />
+            <translation>структура</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/plots_view.py" />
             <source>95 % band for all points</source>
-            <translation type="unfinished" />
+            <translation>смуга 95 % для всіх точок</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/plots_view.py" />
             <source>the model, played</source>
-            <translation type="unfinished" />
+            <translation>модель, програна</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/plots_view.py" />
@@ -2563,7 +2740,7 @@
         <message>
             <location filename="../../gui/discrepancy/plots_view.py" />
             <source>With the effects added</source>
-            <translation type="unfinished" />
+            <translation>З доданими ефектами</translation>
         </message>
         <message>
             <location filename="../../gui/drift/plots_view.py" />
@@ -2662,27 +2839,27 @@
         <message>
             <location filename="../../gui/certificate/preview_view.py" />
             <source>Fit width</source>
-            <translation type="unfinished" />
+            <translation>За шириною</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/preview_view.py" />
             <source>Whole page</source>
-            <translation type="unfinished" />
+            <translation>Уся сторінка</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/preview_view.py" />
             <source>Size of the page</source>
-            <translation type="unfinished" />
+            <translation>Розмір сторінки</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/preview_view.py" />
             <source>Page before (Page Up)</source>
-            <translation type="unfinished" />
+            <translation>Попередня сторінка (Page Up)</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/preview_view.py" />
             <source>Page after (Page Down)</source>
-            <translation type="unfinished" />
+            <translation>Наступна сторінка (Page Down)</translation>
         </message>
     </context>
     <context>
@@ -2690,7 +2867,7 @@
         <message>
             <location filename="../../gui/discrepancy/candidate_view.py" />
             <source>Less likely</source>
-            <translation type="unfinished" />
+            <translation>Менш імовірні</translation>
         </message>
     </context>
     <context>
@@ -2784,7 +2961,7 @@
         <message>
             <location filename="../../gui/certificate/register_view.py" />
             <source>Choose one to see it. Nothing changes an issued certificate: Replace begins a new one that names it, Withdraw states that it holds no longer.</source>
-            <translation type="unfinished" />
+            <translation>Виберіть один, щоб побачити його. Виданий сертифікат не змінюється: «Замінити» починає новий, що називає його, «Відкликати» засвідчує, що він більше не чинний.</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/register_view.py" />
@@ -2794,7 +2971,7 @@
         <message>
             <location filename="../../gui/certificate/register_view.py" />
             <source>State</source>
-            <translation type="unfinished" />
+            <translation>Стан</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/register_view.py" />
@@ -2824,17 +3001,17 @@
         <message>
             <location filename="../../gui/certificate/register_view.py" />
             <source>Issued certificates</source>
-            <translation type="unfinished" />
+            <translation>Видані сертифікати</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/register_view.py" />
             <source>Reason</source>
-            <translation type="unfinished" />
+            <translation>Причина</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/register_view.py" />
             <source>Withdraw</source>
-            <translation type="unfinished" />
+            <translation>Відкликати</translation>
         </message>
     </context>
     <context>
@@ -2860,7 +3037,7 @@
         <message>
             <location filename="../../gui/measuring/results_view.py" />
             <source>Make a calibration certificate of these results</source>
-            <translation type="unfinished" />
+            <translation>Скласти сертифікат калібрування з цих результатів</translation>
         </message>
         <message>
             <location filename="../../gui/measuring/results_view.py" />
@@ -2870,12 +3047,12 @@
         <message>
             <location filename="../../gui/measuring/results_view.py" />
             <source>Model vs data</source>
-            <translation type="unfinished" />
+            <translation>Модель і дані</translation>
         </message>
         <message>
             <location filename="../../gui/measuring/results_view.py" />
             <source>Compare the model with the rows: find out what it lacks</source>
-            <translation type="unfinished" />
+            <translation>Порівняти модель з рядками: з'ясувати, чого їй бракує</translation>
         </message>
         <message>
             <location filename="../../gui/measuring/results_view.py" />
@@ -2933,7 +3110,7 @@
         <message>
             <location filename="../../gui/rig/view.py" />
             <source>Mount</source>
-            <translation>Встановлення</translation>
+            <translation>Установка</translation>
         </message>
         <message>
             <location filename="../../gui/rig/view.py" />
@@ -2943,7 +3120,7 @@
         <message>
             <location filename="../../gui/rig/view.py" />
             <source>Rate table</source>
-            <translation>Поворотний стенд</translation>
+            <translation>Стенд</translation>
         </message>
         <message>
             <location filename="../../gui/rig/view.py" />
@@ -2953,7 +3130,7 @@
         <message>
             <location filename="../../gui/rig/view.py" />
             <source>Turn</source>
-            <translation>Повернути</translation>
+            <translation>Так</translation>
         </message>
         <message>
             <location filename="../../gui/rig/view.py" />
@@ -2968,22 +3145,22 @@
         <message>
             <location filename="../../gui/rig/view.py" />
             <source>Noise burst</source>
-            <translation>Сплеск шуму</translation>
+            <translation>Сплеск</translation>
         </message>
         <message>
             <location filename="../../gui/rig/view.py" />
             <source>Noisy line</source>
-            <translation>Завади на лінії</translation>
+            <translation>Завади</translation>
         </message>
         <message>
             <location filename="../../gui/rig/view.py" />
             <source>Lost frames</source>
-            <translation>Втрачені кадри</translation>
+            <translation>Без кадрів</translation>
         </message>
         <message>
             <location filename="../../gui/rig/view.py" />
             <source>Stuck channel</source>
-            <translation>Завислий канал</translation>
+            <translation>Зависання</translation>
         </message>
     </context>
     <context>
@@ -2991,7 +3168,7 @@
         <message>
             <location filename="../../gui/discrepancy/plots_view.py" />
             <source>measured − simulated, {unit}</source>
-            <translation type="unfinished" />
+            <translation>виміряне − симульоване, {unit}</translation>
         </message>
     </context>
     <context>
@@ -2999,17 +3176,17 @@
         <message>
             <location filename="../../gui/discrepancy/ladder_view.py" />
             <source>proposed</source>
-            <translation type="unfinished" />
+            <translation>пропозиція</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/ladder_view.py" />
             <source>Take it back, with all above it</source>
-            <translation type="unfinished" />
+            <translation>Прибрати його разом з усіма вище</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/ladder_view.py" />
             <source>Take back {title}</source>
-            <translation type="unfinished" />
+            <translation>Прибрати {title}</translation>
         </message>
     </context>
     <context>
@@ -3120,7 +3297,7 @@
         <message>
             <location filename="../../gui/allan/settings_view.py" />
             <source>Regress on</source>
-            <translation>Регресія на</translation>
+            <translation>Регресія</translation>
         </message>
         <message>
             <location filename="../../gui/allan/settings_view.py" />
@@ -3235,7 +3412,7 @@
         <message>
             <location filename="../../gui/drift/settings_view.py" />
             <source>Most knots tp</source>
-            <translation>Найбільше вузлів tp</translation>
+            <translation>Вузлів до</translation>
         </message>
         <message>
             <location filename="../../gui/drift/settings_view.py" />
@@ -3452,7 +3629,7 @@
         </message>
         <message>
             <location filename="../../gui/accuracy/certified.py" />
-            <source>{kind} against the angles of the dividing head (Table {table})</source>
+            <source>{kind} against the angles of the dividing head</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -3473,7 +3650,7 @@
         <message>
             <location filename="../../gui/accuracy/guide.py" />
             <source>Turn to {dial}</source>
-            <translation>Поверніть до {dial}</translation>
+            <translation>Задайте {dial}</translation>
         </message>
         <message>
             <location filename="../../gui/accuracy/guide.py" />
@@ -3528,7 +3705,7 @@
         <message>
             <location filename="../../gui/accuracy/picture.py" />
             <source>code</source>
-            <translation>код</translation>
+            <translation>code</translation>
         </message>
         <message>
             <location filename="../../gui/accuracy/picture.py" />
@@ -4382,107 +4559,107 @@ Every session and calibration of the folder of sessions comes here by itself. Im
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
             <source>Could still be added; nothing asks for it</source>
-            <translation type="unfinished" />
+            <translation>Ще можна додати; ніщо цього не вимагає</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
             <source>How it shows: {words}</source>
-            <translation type="unfinished" />
+            <translation>Як виявляється: {words}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
             <source>What to do: {words}</source>
-            <translation type="unfinished" />
+            <translation>Що робити: {words}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
             <source>effect</source>
-            <translation type="unfinished" />
+            <translation>ефект</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
             <source>named from</source>
-            <translation type="unfinished" />
+            <translation>помітно від</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
             <source>usual</source>
-            <translation type="unfinished" />
+            <translation>звичайно</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
             <source>Smallest effects that these rows would name</source>
-            <translation type="unfinished" />
+            <translation>Найменші ефекти, які ці рядки назвали б</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
             <source>size at which eight sigmas of the effect are visible</source>
-            <translation type="unfinished" />
+            <translation>величина, за якої видно вісім сигм ефекту</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
             <source>Looks the same in these rows</source>
-            <translation type="unfinished" />
+            <translation>Виглядає так само в цих рядках</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
             <source>as</source>
-            <translation type="unfinished" />
+            <translation>як</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
             <source>invisible, whatever its size</source>
-            <translation type="unfinished" />
+            <translation>невидимий, хоч який великий</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
             <source>needs the column {name}</source>
-            <translation type="unfinished" />
+            <translation>потребує стовпця {name}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
             <source>Not to be seen in these rows</source>
-            <translation type="unfinished" />
+            <translation>Не видно в цих рядках</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
             <source>{number}. These cannot be told apart yet</source>
-            <translation type="unfinished" />
+            <translation>{number}. Ці поки не розрізнити</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
             <source>{number}. Missing in the model</source>
-            <translation type="unfinished" />
+            <translation>{number}. Бракує в моделі</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
             <source>evidence {nats}, {share} %</source>
-            <translation type="unfinished" />
+            <translation>свідчення {nats}, {share} %</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
             <source>leaves a gap of {gap}</source>
-            <translation type="unfinished" />
+            <translation>лишає розбіжність {gap}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
             <source>{count} positions, {minutes} min</source>
-            <translation type="unfinished" />
+            <translation>положень: {count}, {minutes} min</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
             <source>{why}. Tells apart: {names}.</source>
-            <translation type="unfinished" />
+            <translation>{why}. Розрізняє: {names}.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/exporting.py" />
             <source>Report, PDF</source>
-            <translation type="unfinished" />
+            <translation>Звіт, PDF</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/exporting.py" />
             <source>Report, HTML</source>
-            <translation type="unfinished" />
+            <translation>Звіт, HTML</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/exporting.py" />
@@ -4492,114 +4669,116 @@ Every session and calibration of the folder of sessions comes here by itself. Im
         <message>
             <location filename="../../gui/discrepancy/exporting.py" />
             <source>Model, JSON</source>
-            <translation type="unfinished" />
+            <translation>Модель, JSON</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/ladder_rows.py" />
             <source>Plain model</source>
-            <translation type="unfinished" />
+            <translation>Проста модель</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/ladder_rows.py" />
             <source>{sigmas} σ at {value}</source>
-            <translation type="unfinished" />
+            <translation>{sigmas} σ при {value}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/ladder_rows.py" />
             <source>or {names}</source>
-            <translation type="unfinished" />
+            <translation>або {names}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/ladder_rows.py" />
             <source>χ²/ν {value}</source>
-            <translation type="unfinished" />
+            <translation>χ²/ν {value}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/ladder_rows.py" />
             <source>held out {value}</source>
-            <translation type="unfinished" />
+            <translation>вилучені {value}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/ladder_rows.py" />
             <source>evidence {value}</source>
-            <translation type="unfinished" />
+            <translation>свідчення {value}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/ladder_rows.py" />
             <source>from replicates</source>
-            <translation type="unfinished" />
+            <translation>з повторень</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/ladder_rows.py" />
             <source>from standard errors</source>
-            <translation type="unfinished" />
+            <translation>зі стандартних похибок</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/ladder_rows.py" />
             <source>from the residuals</source>
-            <translation type="unfinished" />
+            <translation>із залишків</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/ladder_rows.py" />
             <source>noise floor {size} {unit}, {source}</source>
-            <translation type="unfinished" />
+            <translation>рівень шуму {size} {unit}, {source}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/picture.py" />
             <source>There is structure against {name}: {p}, {place}</source>
-            <translation type="unfinished" />
+            <translation>Є структура за {name}: {p}, {place}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/picture.py" />
             <source>No structure against {name} beyond the noise: {p}, largest {place}</source>
-            <translation type="unfinished" />
+            <translation>За {name} немає структури понад шум: {p}, найбільше {place}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/presenter.py" />
             <source>A session holds another plan, or an accumulation is running.</source>
-            <translation type="unfinished" />
+            <translation>Сеанс тримає інший план, або триває накопичення.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/presenter.py" />
             <source>Model and data cannot be compared</source>
-            <translation type="unfinished" />
+            <translation>Модель і дані неможливо порівняти</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/presenter.py" />
             <source>Load Data (Ctrl+O) takes a session's folder, run files or text files of the old programs; several of one unit are compared as one run.
 
 Find (Space) then looks for what the model lacks, names it, and says how sure that is; or press “Find out why” on a page of results.</source>
-            <translation type="unfinished" />
+            <translation>«Завантажити дані» (Ctrl+O) бере теку сеансу, файли серій або текстові файли старих програм; кілька файлів одного виробу порівнюються як одна серія.
+
+«Знайти» (Space) шукає, чого бракує моделі, називає це і каже, наскільки це певно; або натисніть «З'ясувати чому» на сторінці результатів.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/report.py" />
             <source>Model vs data: {device}</source>
-            <translation type="unfinished" />
+            <translation>Модель і дані: {device}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/report.py" />
             <source>{count} rows of {channels}, {files}</source>
-            <translation type="unfinished" />
+            <translation>{count} рядків {channels}, {files}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/report.py" />
             <source>The ladder</source>
-            <translation type="unfinished" />
+            <translation>Драбина</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/report.py" />
             <source>model</source>
-            <translation type="unfinished" />
+            <translation>модель</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/report.py" />
             <source>gap</source>
-            <translation type="unfinished" />
+            <translation>розбіжність</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/report.py" />
             <source>held out</source>
-            <translation type="unfinished" />
+            <translation>вилучені</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/report.py" />
@@ -4609,32 +4788,32 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         <message>
             <location filename="../../gui/discrepancy/report.py" />
             <source>gap: rms of the whitened residuals; 1 is the noise floor, {size} {unit} rms</source>
-            <translation type="unfinished" />
+            <translation>розбіжність: СКВ вибілених залишків; 1 — рівень шуму, {size} {unit} СКВ</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/report.py" />
             <source>Residual with the effects added</source>
-            <translation type="unfinished" />
+            <translation>Залишок з доданими ефектами</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/report.py" />
             <source>Residual of the plain model</source>
-            <translation type="unfinished" />
+            <translation>Залишок простої моделі</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/report.py" />
             <source>evidence {evidence} nats, probability {share} among the names, {p}</source>
-            <translation type="unfinished" />
+            <translation>свідчення {evidence} nats, імовірність {share} серед назв, {p}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/report.py" />
             <source>Cannot be told from: {names}</source>
-            <translation type="unfinished" />
+            <translation>Не відрізнити від: {names}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/report.py" />
             <source>regressor</source>
-            <translation type="unfinished" />
+            <translation>регресор</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/report.py" />
@@ -4654,82 +4833,82 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         <message>
             <location filename="../../gui/discrepancy/report.py" />
             <source>Where the residual has structure</source>
-            <translation type="unfinished" />
+            <translation>Де залишок має структуру</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/report.py" />
             <source>p adjusted for all regressors together (Westfall and Young)</source>
-            <translation type="unfinished" />
+            <translation>p з поправкою на всі регресори разом (Вестфолл і Янг)</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/report.py" />
             <source>series</source>
-            <translation type="unfinished" />
+            <translation>серія</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/report.py" />
             <source>why</source>
-            <translation type="unfinished" />
+            <translation>чому</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/report.py" />
             <source>effort</source>
-            <translation type="unfinished" />
+            <translation>зусилля</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/report.py" />
             <source>decides, %</source>
-            <translation type="unfinished" />
+            <translation>вирішує, %</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/report.py" />
             <source>What to measure next</source>
-            <translation type="unfinished" />
+            <translation>Що виміряти далі</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
             <source>There is nothing to compare yet.</source>
-            <translation type="unfinished" />
+            <translation>Порівнювати ще нічого.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
             <source>Find proposes effects first.</source>
-            <translation type="unfinished" />
+            <translation>Спершу «Знайти» пропонує ефекти.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
             <source>Find</source>
-            <translation type="unfinished" />
+            <translation>Знайти</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
             <source>Add to Model</source>
-            <translation type="unfinished" />
+            <translation>Додати до моделі</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
             <source>Add All</source>
-            <translation type="unfinished" />
+            <translation>Додати всі</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
             <source>Undo</source>
-            <translation type="unfinished" />
+            <translation>Скасувати</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
             <source>Nothing was added.</source>
-            <translation type="unfinished" />
+            <translation>Нічого не додано.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
             <source>Simulate with This Model</source>
-            <translation type="unfinished" />
+            <translation>Симулювати з цією моделлю</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
             <source>Hide Simulation</source>
-            <translation type="unfinished" />
+            <translation>Сховати симуляцію</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
@@ -4739,27 +4918,27 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
             <source>Report</source>
-            <translation type="unfinished" />
+            <translation>Звіт</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
             <source>Its gap is {gap} noise floors. Find (Space) looks for the reason.</source>
-            <translation type="unfinished" />
+            <translation>Її розбіжність {gap} рівнів шуму. «Знайти» (Space) шукає причину.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
             <source>The plain model is rejected</source>
-            <translation type="unfinished" />
+            <translation>Просту модель відхилено</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
             <source>Its gap is {gap} noise floors. Find (Space) looks closer.</source>
-            <translation type="unfinished" />
+            <translation>Її розбіжність {gap} рівнів шуму. «Знайти» (Space) придивиться ближче.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
             <source>No regressor speaks against the plain model</source>
-            <translation type="unfinished" />
+            <translation>Жоден регресор не свідчить проти простої моделі</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/words.py" />
@@ -4914,32 +5093,32 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         <message>
             <location filename="../../gui/discrepancy/words.py" />
             <source>The gap goes from {before} to {after} noise floors.</source>
-            <translation type="unfinished" />
+            <translation>Розбіжність зменшується з {before} до {after} рівнів шуму.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/words.py" />
             <source>No effect stands out of the noise. The last page tells how small an effect these rows could have shown.</source>
-            <translation type="unfinished" />
+            <translation>Жоден ефект не виділяється з шуму. Остання сторінка каже, наскільки малий ефект могли б показати ці рядки.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/words.py" />
             <source>{named}. {closing}</source>
-            <translation type="unfinished" />
+            <translation>{named}. {closing}</translation>
         </message>
         <message>
             <location filename="../../gui/dividing_head/thermal_offer.py" />
             <source>The session went through {count} temperatures</source>
-            <translation type="unfinished" />
+            <translation>Сеанс пройшов через {count} температур</translation>
         </message>
         <message>
             <location filename="../../gui/dividing_head/thermal_offer.py" />
             <source>Process Data takes one temperature at a time; the Thermal tab takes them together: bias and scale factor against temperature, hysteresis.</source>
-            <translation type="unfinished" />
+            <translation>«Обробити дані» бере по одній температурі; вкладка «Термо» бере їх разом: зміщення нуля і масштабний коефіцієнт за температурою, гістерезис.</translation>
         </message>
         <message>
             <location filename="../../gui/dividing_head/thermal_offer.py" />
             <source>Open in Thermal</source>
-            <translation type="unfinished" />
+            <translation>Відкрити в «Термо»</translation>
         </message>
         <message>
             <location filename="../../gui/drift/exporting.py" />
@@ -5124,7 +5303,7 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         <message>
             <location filename="../../gui/drift/presenter.py" />
             <source>Simulated turn-ons</source>
-            <translation>Симульовані увімкнення</translation>
+            <translation>Симуляція</translation>
         </message>
         <message>
             <location filename="../../gui/drift/presenter.py" />
@@ -5326,27 +5505,27 @@ State the noise of the gyro at the left, or take it from a record, to see how lo
         <message>
             <location filename="../../gui/keys/key_html.py" />
             <source>Keys of CalRig</source>
-            <translation type="unfinished" />
+            <translation>Клавіші CalRig</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Stop the accumulation</source>
-            <translation type="unfinished" />
+            <translation>Зупинити накопичення</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Take the last one back</source>
-            <translation type="unfinished" />
+            <translation>Скасувати останнє</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Stop the record</source>
-            <translation type="unfinished" />
+            <translation>Зупинити запис</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Stop the live curve</source>
-            <translation type="unfinished" />
+            <translation>Зупинити живу криву</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
@@ -5356,12 +5535,12 @@ State the noise of the gyro at the left, or take it from a record, to see how lo
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Search</source>
-            <translation type="unfinished" />
+            <translation>Пошук</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Show the log</source>
-            <translation type="unfinished" />
+            <translation>Показати журнал</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
@@ -5376,12 +5555,12 @@ State the noise of the gyro at the left, or take it from a record, to see how lo
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Close</source>
-            <translation type="unfinished" />
+            <translation>Закрити</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Distance view</source>
-            <translation type="unfinished" />
+            <translation>Вигляд здалеку</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
@@ -5391,102 +5570,102 @@ State the noise of the gyro at the left, or take it from a record, to see how lo
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>List of steps</source>
-            <translation type="unfinished" />
+            <translation>Список кроків</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Look at another step</source>
-            <translation type="unfinished" />
+            <translation>Переглянути інший крок</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Make it the current step</source>
-            <translation type="unfinished" />
+            <translation>Зробити його поточним</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Pick a step by its place</source>
-            <translation type="unfinished" />
+            <translation>Вибрати крок за місцем</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Charts over time</source>
-            <translation type="unfinished" />
+            <translation>Графіки за часом</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Move in time</source>
-            <translation type="unfinished" />
+            <translation>Рух у часі</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Zoom in and out</source>
-            <translation type="unfinished" />
+            <translation>Збільшити і зменшити</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Show everything</source>
-            <translation type="unfinished" />
+            <translation>Показати все</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Follow the newest samples</source>
-            <translation type="unfinished" />
+            <translation>Стежити за найновішими відліками</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Other channels</source>
-            <translation type="unfinished" />
+            <translation>Інші канали</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Set a cursor at the pointer</source>
-            <translation type="unfinished" />
+            <translation>Поставити курсор біля вказівника</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Move the cursor by a sample</source>
-            <translation type="unfinished" />
+            <translation>Посунути курсор на відлік</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Clear the cursors</source>
-            <translation type="unfinished" />
+            <translation>Прибрати курсори</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Plots</source>
-            <translation type="unfinished" />
+            <translation>Графіки</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Allan plot</source>
-            <translation type="unfinished" />
+            <translation>Графік Аллана</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Read the curve by points</source>
-            <translation type="unfinished" />
+            <translation>Читати криву по точках</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Plot of the drift table</source>
-            <translation type="unfinished" />
+            <translation>Графік таблиці дрейфу</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Choose a knot</source>
-            <translation type="unfinished" />
+            <translation>Вибрати вузол</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Move the knot</source>
-            <translation type="unfinished" />
+            <translation>Посунути вузол</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
-            <source>Matrices and tables</source>
-            <translation type="unfinished" />
+            <source>Matrices, tables, log</source>
+            <translation>Матриці, таблиці, журнал</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
@@ -5496,47 +5675,52 @@ State the noise of the gyro at the left, or take it from a record, to see how lo
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Table of means</source>
-            <translation type="unfinished" />
+            <translation>Таблиця середніх</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Paste a column of references</source>
-            <translation type="unfinished" />
+            <translation>Вставити стовпець заданих значень</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Dial of the simulated rig</source>
-            <translation type="unfinished" />
+            <translation>Шкала симульованого стенда</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Turn by a step</source>
-            <translation type="unfinished" />
+            <translation>Повернути на крок</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Turn by a fine step</source>
-            <translation type="unfinished" />
+            <translation>Повернути на дрібний крок</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Turn by a quarter</source>
-            <translation type="unfinished" />
+            <translation>Повернути на чверть</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Turn to zero</source>
+            <translation>Повернути до нуля</translation>
+        </message>
+        <message>
+            <location filename="../../gui/keys/own_keys.py" />
+            <source>Tour</source>
             <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Message</source>
-            <translation type="unfinished" />
+            <translation>Повідомлення</translation>
         </message>
         <message>
             <location filename="../../gui/keys/sheet.py" />
             <source>Everywhere</source>
-            <translation type="unfinished" />
+            <translation>Усюди</translation>
         </message>
         <message>
             <location filename="../../gui/live/figures.py" />
@@ -5776,7 +5960,7 @@ State the noise of the gyro at the left, or take it from a record, to see how lo
         <message>
             <location filename="../../gui/rate_table/words.py" />
             <source>Turn at {rate}</source>
-            <translation>Обертайте з {rate}</translation>
+            <translation>Задайте {rate}</translation>
         </message>
         <message>
             <location filename="../../gui/rate_table/words.py" />
@@ -6116,7 +6300,7 @@ State the noise of the gyro at the left, or take it from a record, to see how lo
         <message>
             <location filename="../../gui/thermal/presenter.py" />
             <source>Simulated cycle</source>
-            <translation>Симульований цикл</translation>
+            <translation>Симуляція</translation>
         </message>
         <message>
             <location filename="../../gui/thermal/presenter.py" />
@@ -6215,6 +6399,86 @@ Simulated cycle (F6) shows the tab on a made-up unit.</source>
             <location filename="../../gui/thermal/texts.py" />
             <source>Errors of roll and pitch</source>
             <translation>Похибки крену і тангажу</translation>
+        </message>
+        <message>
+            <location filename="../../gui/tour/steps.py" />
+            <source>The device</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/tour/steps.py" />
+            <source>A simulated sensor unit is connected; a real one is found by Properties, Scan. This line tells whether samples come, how fast, and whether any are bad or lost.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/tour/steps.py" />
+            <source>The plan</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/tour/steps.py" />
+            <source>Every position that this test wants, with its picture. The marked one is next; a click, a digit, or the arrows and Enter pick another.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/tour/steps.py" />
+            <source>What to do now</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/tour/steps.py" />
+            <source>The order of the moment in large letters: turn, wait, measuring, done. F11 gives it the whole screen, so that it is read from the dividing head.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/tour/steps.py" />
+            <source>The simulated rig</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/tour/steps.py" />
+            <source>Drag the hand of the dial, or let Operator turns it for me do it. Faults can be tried as well: unplug the cable, and see that nothing is lost.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/tour/steps.py" />
+            <source>Measuring</source>
+            <translation>Вимірюю</translation>
+        </message>
+        <message>
+            <location filename="../../gui/tour/steps.py" />
+            <source>Space accumulates, here and in every tab. Backspace repeats the last position, Ctrl+Z takes it back, Esc stops. Switch Hands-free on, and a turned and resting head is enough. At the end Process Data (F5), then Export.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/tour/steps.py" />
+            <source>Settings of the test</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/tour/steps.py" />
+            <source>Times, local gravity and its uncertainty, uncertainty of the head. What holds for the whole laboratory stands in Preferences (Ctrl+,).</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/tour/steps.py" />
+            <source>The other tabs</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/tour/steps.py" />
+            <source>Gyros on the rate table, a check of the accuracy, live charts, noise, thermal tests, drift tables; Archive finds everything again by serial number. Ctrl and a digit open a tab.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/tour/steps.py" />
+            <source>Menu and help</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/tour/steps.py" />
+            <source>Light or dark, sounds, preferences, and this tour again. F1 shows all keys. That is all: press Space at any position, and the first calibration begins.</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../gui/tumble/findings.py" />
@@ -6508,7 +6772,7 @@ Measure the plan fourier_400 (5° to 400° by 5°) or fourier_flip in the tab Di
         <message>
             <location filename="../../gui/allan/findings.py" />
             <source>σ²(τ) = R²τ²/2 + K²τ/3 + B²·(2/π) ln 2 + N²/τ + 3Q²/τ²   (6.4)</source>
-            <translation type="unfinished" />
+            <translation>σ²(τ) = R²τ²/2 + K²τ/3 + B²·(2/π) ln 2 + N²/τ + 3Q²/τ²   (6.4)</translation>
         </message>
         <message>
             <location filename="../../gui/allan/findings.py" />
@@ -6682,7 +6946,7 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         <message>
             <location filename="../../gui/allan/presenter.py" />
             <source>{duration} at {rate} Hz, {unit}</source>
-            <translation type="unfinished" />
+            <translation>{duration} at {rate} Hz, {unit}</translation>
         </message>
         <message>
             <location filename="../../gui/allan/presenter.py" />
@@ -6727,7 +6991,7 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         <message>
             <location filename="../../gui/allan/settings_view.py" />
             <source>{rate} Hz</source>
-            <translation type="unfinished" />
+            <translation>{rate} Hz</translation>
         </message>
         <message>
             <location filename="../../gui/allan/tab.py" />
@@ -6822,7 +7086,7 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         <message>
             <location filename="../../gui/app.py" />
             <source>Thermal</source>
-            <translation>Температура</translation>
+            <translation>Термо</translation>
         </message>
         <message>
             <location filename="../../gui/app.py" />
@@ -6832,7 +7096,7 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         <message>
             <location filename="../../gui/app.py" />
             <source>Model vs data</source>
-            <translation type="unfinished" />
+            <translation>Модель і дані</translation>
         </message>
         <message>
             <location filename="../../gui/app.py" />
@@ -6841,8 +7105,13 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         </message>
         <message>
             <location filename="../../gui/app.py" />
-            <source>Certificates</source>
+            <source>Teach a board</source>
             <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/app.py" />
+            <source>Certificates</source>
+            <translation>Сертифікати</translation>
         </message>
         <message>
             <location filename="../../gui/app.py" />
@@ -7157,17 +7426,42 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
             <source>; tells apart</source>
-            <translation type="unfinished" />
+            <translation>; розрізняє</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/demo.py" />
+            <source>nothing was found</source>
+            <translation>нічого не знайдено</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/demo.py" />
+            <source>the search did not end</source>
+            <translation>пошук не завершився</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/demo.py" />
+            <source>Mixed angles, twice</source>
+            <translation>Кути упереміш, двічі</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/demo.py" />
+            <source>model vs data</source>
+            <translation>модель і дані</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/exporting.py" />
             <source>discrepancy export</source>
-            <translation type="unfinished" />
+            <translation>discrepancy export</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/presenter.py" />
             <source>sensor {name}</source>
-            <translation type="unfinished" />
+            <translation>датчик {name}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/working.py" />
+            <source>a record is compared by itself: open one file at a time</source>
+            <translation>запис порівнюється сам по собі: відкривайте по одному файлу</translation>
         </message>
         <message>
             <location filename="../../gui/dividing_head/formats.py" />
@@ -7347,7 +7641,7 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         <message>
             <location filename="../../gui/dividing_head/thermal_offer.py" />
             <source>dividing_head thermal</source>
-            <translation type="unfinished" />
+            <translation>dividing_head thermal</translation>
         </message>
         <message>
             <location filename="../../gui/drift/demo.py" />
@@ -7390,14 +7684,24 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
             <translation>Дрейф після увімкнення</translation>
         </message>
         <message>
-            <location filename="../../gui/frames/listening.py" />
-            <source>unknown board</source>
+            <location filename="../../gui/frames/definition_view.py" />
+            <source>Saved: {saved}</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/fields_view.py" />
+            <source>{hint}, no channel</source>
             <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../gui/frames/listening.py" />
+            <source>unknown board</source>
+            <translation>невідома плата</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/listening.py" />
             <source>holds no bytes of a device</source>
-            <translation type="unfinished" />
+            <translation>не містить байтів пристрою</translation>
         </message>
         <message>
             <location filename="../../gui/frames/listening.py" />
@@ -7405,18 +7709,208 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
             <translation>неможливо прочитати: {strerror}</translation>
         </message>
         <message>
+            <location filename="../../gui/frames/presenter.py" />
+            <source>device file {path}</source>
+            <translation>файл пристрою {path}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/presenter.py" />
+            <source>The bytes cannot be had</source>
+            <translation>Байтів неможливо отримати</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/presenter.py" />
+            <source>Looking for frames, checksum and numbers</source>
+            <translation>Пошук кадрів, контрольної суми і чисел</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/presenter.py" />
+            <source>Looking for the checksum</source>
+            <translation>Пошук контрольної суми</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/presenter.py" />
+            <source>{name} is connected</source>
+            <translation>{name} під'єднано</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/presenter.py" />
+            <source>Its numbers are drawn in the tab Live; every tab knows it by its roles.</source>
+            <translation>Його числа малюються у вкладці «Наживо»; кожна вкладка знає його за ролями.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/presenter.py" />
+            <source>A header has 1 to 8 bytes, and a frame more than it</source>
+            <translation>Заголовок має від 1 до 8 байтів, а кадр — більше за нього</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/presenter.py" />
+            <source>taught from {heard}</source>
+            <translation>навчено з {heard}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/presenter.py" />
+            <source>The device file is not saved</source>
+            <translation>Файл пристрою не збережено</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/presenter.py" />
+            <source>Not connected yet</source>
+            <translation>Ще не під'єднано</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/presenter.py" />
+            <source>"{sync}" is no row of bytes like "AA 55"</source>
+            <translation>«{sync}» не є рядком байтів на кшталт "AA 55"</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/readings.py" />
+            <source>column {x}</source>
+            <translation>стовпець {x}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/saving.py" />
+            <source>There is a device file "{stem}" of the program: choose another name</source>
+            <translation>Є файл пристрою «{stem}» із програми: виберіть іншу назву</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/saving.py" />
+            <source>{path}: cannot be written ({strerror})</source>
+            <translation>{path}: неможливо записати ({strerror})</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/source.py" />
+            <source>Reading {name}</source>
+            <translation>Читання {name}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/source.py" />
+            <source>Choose a port first</source>
+            <translation>Спершу виберіть порт</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/source.py" />
+            <source>No bytes from this port</source>
+            <translation>З цього порту немає байтів</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/source.py" />
+            <source>The port is in use</source>
+            <translation>Порт використовується</translation>
+        </message>
+        <message>
             <location filename="../../gui/frames/taught.py" />
             <source>Nothing is described yet</source>
-            <translation type="unfinished" />
+            <translation>Ще нічого не описано</translation>
         </message>
         <message>
             <location filename="../../gui/frames/taught.py" />
             <source>Give the board a name</source>
-            <translation type="unfinished" />
+            <translation>Дайте платі назву</translation>
         </message>
         <message>
             <location filename="../../gui/frames/taught.py" />
             <source>the description</source>
+            <translation>опис</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/texts.py" />
+            <source>no checksum</source>
+            <translation>без контрольної суми</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/texts.py" />
+            <source>{grouped} bytes</source>
+            <translation>{grouped} байтів</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/texts.py" />
+            <source>{text}, bytes {start} to {last}: {share} fit</source>
+            <translation>{text}, байти від {start} до {last}: підходить {share}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/texts.py" />
+            <source>Byte {at} = {value} {what}: frames of {length} bytes, {share} of the headers fit</source>
+            <translation>Байт {at} = {value} {what}: кадри по {length} байтів, підходить {share} заголовків</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/texts.py" />
+            <source>none of the known checksums fits, so where a frame begins is a guess: the longest run of bytes that stay the same.</source>
+            <translation>жодна з відомих контрольних сум не підходить, тож початок кадру — здогад: найдовший ряд незмінних байтів.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/texts.py" />
+            <source>no byte yet</source>
+            <translation>ще жодного байта</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/texts.py" />
+            <source>{text}, {grouped} a second</source>
+            <translation>{text}, {grouped} за секунду</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/texts.py" />
+            <source>counts by {step}</source>
+            <translation>рахує по {step}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/texts.py" />
+            <source>never changes</source>
+            <translation>ніколи не змінюється</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/texts.py" />
+            <source>a noisy signal</source>
+            <translation>шумний сигнал</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/texts.py" />
+            <source>rises or falls steadily</source>
+            <translation>рівномірно зростає або спадає</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/texts.py" />
+            <source>a few values, seldom changing</source>
+            <translation>кілька значень, рідко змінюється</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/texts.py" />
+            <source>is the whole length</source>
+            <translation>є повною довжиною</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/texts.py" />
+            <source>counts the payload, {add} bytes less than the whole</source>
+            <translation>рахує корисні дані, на {add} байтів менше за повну</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/texts.py" />
+            <source>, {hz} a second</source>
+            <translation>, {hz} за секунду</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/texts.py" />
+            <source>Lines of {len} numbers{rate}; {share} of them read.</source>
+            <translation>Рядки по {len} чисел{rate}; прочитано {share}.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/texts.py" />
+            <source>{text} fits {share} of them.</source>
+            <translation>{text} підходить для {share} з них.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/texts.py" />
+            <source>{at} to {last}</source>
+            <translation>від {at} до {last}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/texts.py" />
+            <source>Neither frames nor lines were found. Is the baud rate right? Noise at every speed means another parity, or a signal that is no serial one.</source>
+            <translation>Не знайдено ні кадрів, ні рядків. Чи правильна швидкість? Шум на кожній швидкості означає іншу парність або сигнал, що не є послідовним.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/view.py" />
+            <source>Drag over columns to point at bytes, Enter makes numbers of them, Delete takes them away. A double click points at a whole part.</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -7442,72 +7936,77 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Plot</source>
-            <translation type="unfinished" />
+            <translation>Графік</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Dial</source>
+            <translation>Шкала</translation>
+        </message>
+        <message>
+            <location filename="../../gui/keys/own_keys.py" />
+            <source>Callout</source>
             <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Banner</source>
-            <translation type="unfinished" />
+            <translation>Повідомлення</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Return</source>
-            <translation type="unfinished" />
+            <translation>Return</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Up Down</source>
-            <translation type="unfinished" />
+            <translation>Up Down</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Left Right</source>
-            <translation type="unfinished" />
+            <translation>Left Right</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Home</source>
-            <translation type="unfinished" />
+            <translation>Home</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>End</source>
-            <translation type="unfinished" />
+            <translation>End</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Ctrl+Left Ctrl+Right</source>
-            <translation type="unfinished" />
+            <translation>Ctrl+Left Ctrl+Right</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>PgUp PgDown</source>
-            <translation type="unfinished" />
+            <translation>PgUp PgDown</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Shift+Left Shift+Right</source>
-            <translation type="unfinished" />
+            <translation>Shift+Left Shift+Right</translation>
         </message>
         <message>
             <location filename="../../gui/keys/showing.py" />
             <source>The sheet of keys is ready to be printed</source>
-            <translation type="unfinished" />
+            <translation>Аркуш клавіш готовий до друку</translation>
         </message>
         <message>
             <location filename="../../gui/keys/showing.py" />
             <source>The sheet of keys is not written</source>
-            <translation type="unfinished" />
+            <translation>Аркуш клавіш не записано</translation>
         </message>
         <message>
             <location filename="../../gui/keys/showing.py" />
             <source>Make room there, or choose another folder of sessions in Preferences.</source>
-            <translation type="unfinished" />
+            <translation>Звільніть там місце або виберіть іншу теку сеансів у «Налаштуваннях».</translation>
         </message>
         <message>
             <location filename="../../gui/live/demo.py" />
@@ -7632,7 +8131,7 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         <message>
             <location filename="../../gui/live/presenter.py" />
             <source>{port}, {name}, {rate_hz} Hz</source>
-            <translation type="unfinished" />
+            <translation>{port}, {name}, {rate_hz} Hz</translation>
         </message>
         <message>
             <location filename="../../gui/live/presenter.py" />
@@ -7657,12 +8156,12 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         <message>
             <location filename="../../gui/live/space.py" />
             <source>{count} GB</source>
-            <translation type="unfinished" />
+            <translation>{count} GB</translation>
         </message>
         <message>
             <location filename="../../gui/live/space.py" />
             <source>{count} MB</source>
-            <translation type="unfinished" />
+            <translation>{count} MB</translation>
         </message>
         <message>
             <location filename="../../gui/live/space.py" />
@@ -7687,7 +8186,7 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         <message>
             <location filename="../../gui/live/view.py" />
             <source>{rate_hz} Hz</source>
-            <translation type="unfinished" />
+            <translation>{rate_hz} Hz</translation>
         </message>
         <message>
             <location filename="../../gui/live/view.py" />
@@ -7736,17 +8235,17 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../gui/measured_file.py" />
             <source>holds nothing that a certificate can be made of</source>
-            <translation type="unfinished" />
+            <translation>не містить нічого, з чого можна скласти сертифікат</translation>
         </message>
         <message>
             <location filename="../../gui/measured_file.py" />
             <source>holds the test {test}; certificates are made of {join}</source>
-            <translation type="unfinished" />
+            <translation>містить випробування {test}; сертифікати складають з {join}</translation>
         </message>
         <message>
             <location filename="../../gui/measured_file.py" />
             <source>holds several devices: {names}; choose one of them</source>
-            <translation type="unfinished" />
+            <translation>містить кілька пристроїв: {names}; виберіть один</translation>
         </message>
         <message>
             <location filename="../../gui/measuring/bench.py" />
@@ -7786,12 +8285,12 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../gui/measuring/cues.py" />
             <source>Go on</source>
-            <translation type="unfinished" />
+            <translation>Далі</translation>
         </message>
         <message>
             <location filename="../../gui/measuring/cues.py" />
             <source>{capitalize} {number}, {done_before} of {total}.</source>
-            <translation type="unfinished" />
+            <translation>{capitalize} {number}, {done_before} з {total}.</translation>
         </message>
         <message>
             <location filename="../../gui/measuring/cues.py" />
@@ -7846,22 +8345,17 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../gui/measuring/cues.py" />
             <source>It settles; then press Space to accumulate {time}.</source>
-            <translation type="unfinished" />
+            <translation>Заспокоюється; потім натисніть Space, щоб накопичувати {time}.</translation>
         </message>
         <message>
             <location filename="../../gui/measuring/cues.py" />
             <source>{asked}Then press Space to accumulate {time}.</source>
-            <translation type="unfinished" />
+            <translation>{asked}Потім натисніть Space, щоб накопичувати {time}.</translation>
         </message>
         <message>
             <location filename="../../gui/measuring/cues.py" />
             <source>Settling</source>
-            <translation>Заспокоєння</translation>
-        </message>
-        <message>
-            <location filename="../../gui/measuring/cues.py" />
-            <source>Measuring</source>
-            <translation>Вимірювання</translation>
+            <translation>Чекаю спокою</translation>
         </message>
         <message>
             <location filename="../../gui/measuring/cues.py" />
@@ -7921,7 +8415,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../gui/measuring/head_words.py" />
             <source>Turn to {angle_words}</source>
-            <translation>Поверніть до {angle_words}</translation>
+            <translation>Задайте {angle_words}</translation>
         </message>
         <message>
             <location filename="../../gui/measuring/head_words.py" />
@@ -7976,7 +8470,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../gui/measuring/printed.py" />
             <source>pairs of value and uncertainty</source>
-            <translation type="unfinished" />
+            <translation>пари значення і невизначеності</translation>
         </message>
         <message>
             <location filename="../../gui/measuring/results.py" />
@@ -8466,7 +8960,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../gui/services.py" />
             <source>no certificate can be made of files here</source>
-            <translation type="unfinished" />
+            <translation>з файлів тут сертифіката не скласти</translation>
         </message>
         <message>
             <location filename="../../gui/settings.py" />
@@ -8497,6 +8991,26 @@ Without a command the window opens.</translation>
             <location filename="../../gui/thermal/working.py" />
             <source>a record of a standing unit is taken by itself: remove the others from the list</source>
             <translation>запис нерухомого виробу береться сам по собі: приберіть інші зі списку</translation>
+        </message>
+        <message>
+            <location filename="../../gui/tour/tour.py" />
+            <source>New to CalRig?</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/tour/tour.py" />
+            <source>A tour on the simulated rig shows the window in two minutes; it also waits in Menu, Help.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/tour/tour.py" />
+            <source>Start the tour</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/tour/tour.py" />
+            <source>Not now</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../gui/tumble/findings.py" />
@@ -8591,12 +9105,12 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../gui/widgets/window_menu.py" />
             <source>{own} (Language)</source>
-            <translation type="unfinished" />
+            <translation>{own} (Language)</translation>
         </message>
         <message>
             <location filename="../../gui/widgets/window_menu.py" />
             <source>Language</source>
-            <translation type="unfinished" />
+            <translation>Мова</translation>
         </message>
         <message>
             <location filename="../../core/allan/conventions.py" />
@@ -8946,7 +9460,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/archive/database.py" />
             <source>malformed text: {error}</source>
-            <translation type="unfinished" />
+            <translation>пошкоджений текст: {error}</translation>
         </message>
         <message>
             <location filename="../../core/archive/database.py" />
@@ -9006,7 +9520,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/archive/importing.py" />
             <source>{kind} of {join}</source>
-            <translation type="unfinished" />
+            <translation>{kind} з {join}</translation>
         </message>
         <message>
             <location filename="../../core/archive/importing.py" />
@@ -9091,7 +9605,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/archive/noise_file.py" />
             <source>is no table: {error}</source>
-            <translation type="unfinished" />
+            <translation>не є таблицею: {error}</translation>
         </message>
         <message>
             <location filename="../../core/archive/noise_file.py" />
@@ -9156,7 +9670,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/certificates/certificate.py" />
             <source>contact of the customer</source>
-            <translation type="unfinished" />
+            <translation>контакт замовника</translation>
         </message>
         <message>
             <location filename="../../core/certificates/certificate.py" />
@@ -9166,7 +9680,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/certificates/certificate.py" />
             <source>condition of the item</source>
-            <translation type="unfinished" />
+            <translation>стан виробу</translation>
         </message>
         <message>
             <location filename="../../core/certificates/certificate.py" />
@@ -9181,27 +9695,27 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/certificates/certificate.py" />
             <source>ambient temperature</source>
-            <translation type="unfinished" />
+            <translation>температура довкілля</translation>
         </message>
         <message>
             <location filename="../../core/certificates/certificate.py" />
             <source>uncertainty of the results</source>
-            <translation type="unfinished" />
+            <translation>невизначеність результатів</translation>
         </message>
         <message>
             <location filename="../../core/certificates/certificate.py" />
             <source>what was changed, and why</source>
-            <translation type="unfinished" />
+            <translation>що змінено і чому</translation>
         </message>
         <message>
             <location filename="../../core/certificates/certificate.py" />
             <source>{name}: "{text}" is no date; write it as 2026-03-31</source>
-            <translation type="unfinished" />
+            <translation>{name}: «{text}» не є датою; пишіть як 2026-03-31</translation>
         </message>
         <message>
             <location filename="../../core/certificates/certificate.py" />
             <source>{later} on {other}, before it was {name} on {text}</source>
-            <translation type="unfinished" />
+            <translation>{later} {other}, раніше за {name} {text}</translation>
         </message>
         <message>
             <location filename="../../core/certificates/conformity_json.py" />
@@ -9231,7 +9745,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/certificates/laboratory.py" />
             <source>{name}: "{valid_until}" is no date; write it as 2026-03-31</source>
-            <translation type="unfinished" />
+            <translation>{name}: «{valid_until}» не є датою; пишіть як 2026-03-31</translation>
         </message>
         <message>
             <location filename="../../core/certificates/laboratory.py" />
@@ -9241,7 +9755,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/certificates/laboratory.py" />
             <source>{name}: its certificate was valid until {until}, not on {day}</source>
-            <translation type="unfinished" />
+            <translation>{name}: його сертифікат був дійсний до {until}, а не на {day}</translation>
         </message>
         <message>
             <location filename="../../core/certificates/laboratory.py" />
@@ -9251,17 +9765,17 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/certificates/laboratory.py" />
             <source>{name}: no certificate is named, so that nothing can be traced</source>
-            <translation type="unfinished" />
+            <translation>{name}: сертифіката не названо, тож простежити нічого неможливо</translation>
         </message>
         <message>
             <location filename="../../core/certificates/order_file.py" />
             <source>a number above zero</source>
-            <translation type="unfinished" />
+            <translation>число більше нуля</translation>
         </message>
         <message>
             <location filename="../../core/certificates/order_file.py" />
             <source>{where}: {key} is not known; known are {join}</source>
-            <translation type="unfinished" />
+            <translation>{where}: {key} невідомий; відомі {join}</translation>
         </message>
         <message>
             <location filename="../../core/certificates/register.py" />
@@ -9271,17 +9785,12 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/certificates/register.py" />
             <source>{twin}: there is no such certificate</source>
-            <translation type="unfinished" />
+            <translation>{twin}: такого сертифіката немає</translation>
         </message>
         <message>
             <location filename="../../core/certificates/register.py" />
             <source>{path}: the certificate was withdrawn before</source>
-            <translation type="unfinished" />
-        </message>
-        <message>
-            <location filename="../../core/certificates/register.py" />
-            <source>{path}: cannot be written ({strerror})</source>
-            <translation type="unfinished" />
+            <translation>{path}: сертифікат уже відкликано</translation>
         </message>
         <message>
             <location filename="../../core/certificates/register.py" />
@@ -9292,11 +9801,6 @@ Without a command the window opens.</translation>
             <location filename="../../core/discrepancy/advise.py" />
             <source>{why}; tells apart {join}</source>
             <translation>{why}; розрізняє {join}</translation>
-        </message>
-        <message>
-            <location filename="../../core/discrepancy/followups.py" />
-            <source>model vs data</source>
-            <translation>модель і дані</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/followups.py" />
@@ -9366,12 +9870,12 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/discrepancy/followups.py" />
             <source>All mountings twice, mixed</source>
-            <translation type="unfinished" />
+            <translation>Усі встановлення двічі, упереміш</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/followups.py" />
             <source>rig, dial and sensor apart, with half the noise</source>
-            <translation type="unfinished" />
+            <translation>стенд, шкала і датчик окремо, з удвічі меншим шумом</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/followups.py" />
@@ -9486,47 +9990,47 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/discrepancy/record.py" />
             <source>there is no output {channel}; there are: {join}</source>
-            <translation type="unfinished" />
+            <translation>виходу {channel} немає; є: {join}</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record.py" />
             <source>A constant explains the record; its scatter is {scatter}.</source>
-            <translation type="unfinished" />
+            <translation>Запис пояснює стала; її розкид {scatter}.</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record.py" />
             <source>Missing in the model: {named}. {closing} The rest is {scatter}.</source>
-            <translation type="unfinished" />
+            <translation>У моделі бракує: {named}. {closing} Решта — {scatter}.</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record.py" />
             <source>The data are at fault: {named}. The rest is {scatter}.</source>
-            <translation type="unfinished" />
+            <translation>Винні дані: {named}. Решта — {scatter}.</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record.py" />
             <source>Something is missing, and this record cannot tell which of several effects: {tied}. {closing}</source>
-            <translation type="unfinished" />
+            <translation>Чогось бракує, і цей запис не вирішує, якого з кількох ефектів: {tied}. {closing}</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record.py" />
             <source>a run of test {test} is no record</source>
-            <translation type="unfinished" />
+            <translation>серія випробування {test} не є записом</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record.py" />
             <source>with {lower}</source>
-            <translation type="unfinished" />
+            <translation>з {lower}</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record.py" />
             <source>the noise floor is from the record itself: noise slower than a part of the record is known from sensors of this kind only</source>
-            <translation type="unfinished" />
+            <translation>рівень шуму взято з самого запису: шум, повільніший за частину запису, відомий лише з датчиків цього виду</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record.py" />
             <source>This record cannot tell: {why}.</source>
-            <translation type="unfinished" />
+            <translation>Цей запис не дає відповіді: {why}.</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record.py" />
@@ -9536,82 +10040,82 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/discrepancy/record.py" />
             <source>named, not yet confirmed: only another record, with temperature and time going otherwise, confirms it</source>
-            <translation type="unfinished" />
+            <translation>названо, ще не підтверджено: підтвердить лише інший запис, у якому температура і час ідуть інакше</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_facts.py" />
             <source>{lost} of {int} samples never came, in {int2} gaps of up to {longest} s</source>
-            <translation type="unfinished" />
+            <translation>{lost} з {int} відліків не прийшли, у {int2} пропусках до {longest} s</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_facts.py" />
             <source>{int} samples in succession are equal to the last bit, from {at} s on</source>
-            <translation type="unfinished" />
+            <translation>{int} відліків поспіль однакові до останнього біта, від {at} s</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_facts.py" />
             <source>{int} codes of {bit} {unit} never occur, where about {mean} samples each were to be expected</source>
-            <translation type="unfinished" />
+            <translation>{int} кодів по {bit} {unit} ніколи не трапляються, де очікувалося близько {mean} відліків на кожен</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_facts.py" />
             <source>the scatter is {ratio} times as large as elsewhere in {len} stretches, the first from {rows} s on</source>
-            <translation type="unfinished" />
+            <translation>розкид у {ratio} раза більший, ніж деінде, на {len} ділянках, перша від {rows} s</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_facts.py" />
             <source>{len} samples lie off, the farthest by {rest} sigma at {t_s} s</source>
-            <translation type="unfinished" />
+            <translation>{len} відліків випадають, найдалі на {rest} сигм при {t_s} s</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_facts.py" />
             <source>the temperature is {value} degC to the last bit in {int} samples in succession from {at} s on</source>
-            <translation type="unfinished" />
+            <translation>температура дорівнює {value} °C до останнього біта в {int} відліках поспіль від {at} s</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_problem.py" />
             <source>{len} blocks of {size} samples hold enough samples; record longer</source>
-            <translation type="unfinished" />
+            <translation>{len} блоків по {size} відліків вміщують досить; записуйте довше</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_problem.py" />
             <source>{len} samples are no record; record at least {fewest_samples}</source>
-            <translation type="unfinished" />
+            <translation>{len} відліків — не запис; запишіть щонайменше {fewest_samples}</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_problem.py" />
             <source>the times of some rows are missing; state the samples per second</source>
-            <translation type="unfinished" />
+            <translation>у деяких рядках немає часу; вкажіть кількість відліків за секунду</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_problem.py" />
             <source>time runs backwards at sample {at}: two records were joined, take one</source>
-            <translation type="unfinished" />
+            <translation>час іде назад на відліку {at}: з'єднано два записи, візьміть один</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_problem.py" />
             <source>the samples are not uniform in time; use the counter of the device, or resample</source>
-            <translation type="unfinished" />
+            <translation>відліки нерівномірні в часі; скористайтеся лічильником пристрою або перерахуйте відліки</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_problem.py" />
             <source>only {int} samples of {channels} are numbers</source>
-            <translation type="unfinished" />
+            <translation>лише {int} відліків {channels} є числами</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_problem.py" />
             <source>all samples of {channels} are equal: it is stuck or not connected</source>
-            <translation type="unfinished" />
+            <translation>усі відліки {channels} однакові: канал завис або не під'єднаний</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_problem.py" />
             <source>any effect of a record</source>
-            <translation type="unfinished" />
+            <translation>будь-який ефект запису</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_problem.py" />
             <source>any effect of time</source>
-            <translation type="unfinished" />
+            <translation>будь-який ефект часу</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/steps.py" />
@@ -9916,7 +10420,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/model/catalogue/gyro.py" />
             <source>b_ix * a_x + b_iy * a_y + b_iz * a_z</source>
-            <translation type="unfinished" />
+            <translation>b_ix * a_x + b_iy * a_y + b_iz * a_z</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/gyro_static.py" />
@@ -9956,7 +10460,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/model/catalogue/gyro_static.py" />
             <source>b_ij * a_i * a_j</source>
-            <translation type="unfinished" />
+            <translation>b_ij * a_i * a_j</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/gyro_static.py" />
@@ -10091,7 +10595,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/model/catalogue/nonlinear.py" />
             <source>k * Ko * x * |x|</source>
-            <translation type="unfinished" />
+            <translation>k * Ko * x * |x|</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/nonlinear.py" />
@@ -10246,232 +10750,232 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>Temperature-rate sensitivity</source>
-            <translation type="unfinished" />
+            <translation>Чутливість до швидкості зміни температури</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>the bias follows how fast the temperature changes</source>
-            <translation type="unfinished" />
+            <translation>зміщення нуля залежить від того, як швидко змінюється температура</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>bR * dT/dt</source>
-            <translation type="unfinished" />
+            <translation>bR * dT/dt</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>an offset while it warms, the opposite one while it cools</source>
-            <translation type="unfinished" />
+            <translation>зсув під час нагрівання, протилежний під час охолодження</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>change the temperature more slowly, or compensate by dT/dt</source>
-            <translation type="unfinished" />
+            <translation>змінюйте температуру повільніше або компенсуйте за dT/dt</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>Thermal lag</source>
-            <translation type="unfinished" />
+            <translation>Теплове запізнення</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>the bias follows a part whose temperature lags behind the thermometer's</source>
-            <translation type="unfinished" />
+            <translation>зміщення нуля залежить від частини, температура якої відстає від термометра</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
-            <source>bL * (T lagged by tau)</source>
-            <translation type="unfinished" />
+            <source>bL * (T lagged by tau) ...</source>
+            <translation>bL * (T із запізненням tau) ...</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>a loop against temperature, wider when it changes faster</source>
-            <translation type="unfinished" />
+            <translation>петля за температурою, ширша за швидшої зміни</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>wait for balance; compensate by the lagged temperature; move the thermometer</source>
-            <translation type="unfinished" />
+            <translation>чекайте рівноваги; компенсуйте за запізнілою температурою; перенесіть термометр</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>Thermal hysteresis</source>
-            <translation type="unfinished" />
+            <translation>Тепловий гістерезис</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>warming and cooling leave another bias at the same temperature, however slowly</source>
-            <translation type="unfinished" />
+            <translation>нагрівання й охолодження лишають різне зміщення нуля за тієї самої температури, хоч як повільно</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>bH * (T - play(T)) / half width</source>
-            <translation type="unfinished" />
+            <translation>bH * (T - люфт(T)) / півширина</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>two branches against temperature that slow changes do not close</source>
-            <translation type="unfinished" />
+            <translation>дві гілки за температурою, яких не змикають повільні зміни</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>approach temperatures from one side; state the two branches</source>
-            <translation type="unfinished" />
+            <translation>підходьте до температур з одного боку; вкажіть дві гілки</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>residuals follow this channel</source>
-            <translation type="unfinished" />
+            <translation>залишки повторюють цей канал</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>Quadrature leakage</source>
-            <translation type="unfinished" />
+            <translation>Просочування квадратури</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>a part of the quadrature signal gets into the rate</source>
-            <translation type="unfinished" />
+            <translation>частина квадратурного сигналу потрапляє у швидкість</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>bQ * (Q - Q0)</source>
-            <translation type="unfinished" />
+            <translation>bQ * (Q - Q0)</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>adjust the phase of the demodulator; compensate by the quadrature channel</source>
-            <translation type="unfinished" />
+            <translation>налаштуйте фазу демодулятора; компенсуйте за каналом квадратури</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>Demodulation phase error</source>
-            <translation type="unfinished" />
+            <translation>Похибка фази демодуляції</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>the phase of the demodulator moves and lets quadrature through</source>
-            <translation type="unfinished" />
+            <translation>фаза демодулятора пливе і пропускає квадратуру</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>bF * (phi - phi0) * Q</source>
-            <translation type="unfinished" />
+            <translation>bF * (phi - phi0) * Q</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>stabilise the phase loop; reduce the quadrature; compensate by the product</source>
-            <translation type="unfinished" />
+            <translation>стабілізуйте фазову петлю; зменште квадратуру; компенсуйте за добутком</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>Damping anisotropy</source>
-            <translation type="unfinished" />
+            <translation>Анізотропія згасання</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>damping differs by direction, so that the excitation gets into the rate</source>
-            <translation type="unfinished" />
+            <translation>згасання залежить від напряму, тож збудження потрапляє у швидкість</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>bE * (E - E0)</source>
-            <translation type="unfinished" />
+            <translation>bE * (E - E0)</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>compensate by the excitation channel; stabilise the temperature</source>
-            <translation type="unfinished" />
+            <translation>компенсуйте за каналом збудження; стабілізуйте температуру</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>Resonator frequency</source>
-            <translation type="unfinished" />
+            <translation>Частота резонатора</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>the bias follows the period of the resonator, a thermometer inside it</source>
-            <translation type="unfinished" />
+            <translation>зміщення нуля залежить від періоду резонатора, термометра в ньому самому</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>bP * (P - P0)</source>
-            <translation type="unfinished" />
+            <translation>bP * (P - P0)</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>compensate by the period instead of the thermometer</source>
-            <translation type="unfinished" />
+            <translation>компенсуйте за періодом замість термометра</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>Amplitude error</source>
-            <translation type="unfinished" />
+            <translation>Похибка амплітуди</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>the amplitude of the vibration is not held, and the bias follows it</source>
-            <translation type="unfinished" />
+            <translation>амплітуда коливань не утримується, і зміщення нуля йде за нею</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>bA * (A - A0)</source>
-            <translation type="unfinished" />
+            <translation>bA * (A - A0)</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>look at the amplitude control; compensate by the amplitude channel</source>
-            <translation type="unfinished" />
+            <translation>перевірте стабілізацію амплітуди; компенсуйте за каналом амплітуди</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>Random telegraph bias</source>
-            <translation type="unfinished" />
+            <translation>Телеграфне зміщення нуля</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>the bias jumps to and fro between two levels</source>
-            <translation type="unfinished" />
+            <translation>зміщення нуля стрибає між двома рівнями</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>J * s(t), s = 0 or 1</source>
-            <translation type="unfinished" />
+            <translation>J * s(t), s = 0 або 1</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>two levels against time</source>
-            <translation type="unfinished" />
+            <translation>два рівні за часом</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
             <source>look for a loose contact, popcorn noise of an amplifier, a latching loop</source>
-            <translation type="unfinished" />
+            <translation>шукайте поганий контакт, вибуховий шум підсилювача, петлю, що замикається</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>belongs to the sensor; state it in the noise model and average accordingly</source>
-            <translation type="unfinished" />
+            <translation>належить датчику; вкажіть його в моделі шуму й усереднюйте відповідно</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>Quantisation noise</source>
-            <translation type="unfinished" />
+            <translation>Шум квантування</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>the increments of angle are rounded coarsely</source>
-            <translation type="unfinished" />
+            <translation>прирости кута грубо заокруглені</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>S(f) = (2 pi f)^2 Q^2 dt</source>
-            <translation type="unfinished" />
+            <translation>S(f) = (2 pi f)^2 Q^2 dt</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>slope -1 of the Allan deviation; the spectrum rises with f^2</source>
-            <translation type="unfinished" />
+            <translation>нахил -1 девіації Аллана; спектр зростає як f^2</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
@@ -10481,12 +10985,12 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>white noise of the rate</source>
-            <translation type="unfinished" />
+            <translation>білий шум швидкості</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>slope -1/2 of the Allan deviation; a flat spectrum</source>
-            <translation type="unfinished" />
+            <translation>нахил -1/2 девіації Аллана; плоский спектр</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
@@ -10496,177 +11000,177 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>flicker noise: the mean never settles, however long it is taken</source>
-            <translation type="unfinished" />
+            <translation>флікер-шум: середнє ніколи не встановлюється, хоч як довго</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>S(f) = B^2 / (2 pi f)</source>
-            <translation type="unfinished" />
+            <translation>S(f) = B^2 / (2 pi f)</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>a floor of the Allan deviation; the spectrum rises with 1/f</source>
-            <translation type="unfinished" />
+            <translation>дно девіації Аллана; спектр зростає як 1/f</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>Rate random walk</source>
-            <translation type="unfinished" />
+            <translation>Випадкове блукання швидкості</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>the bias walks at random</source>
-            <translation type="unfinished" />
+            <translation>зміщення нуля блукає випадково</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>S(f) = (K / 2 pi f)^2</source>
-            <translation type="unfinished" />
+            <translation>S(f) = (K / 2 pi f)^2</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>slope +1/2 of the Allan deviation; the spectrum rises with 1/f^2</source>
-            <translation type="unfinished" />
+            <translation>нахил +1/2 девіації Аллана; спектр зростає як 1/f^2</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>Markov noise</source>
-            <translation type="unfinished" />
+            <translation>Марковський шум</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>the bias scatters about its mean with a memory of one length</source>
-            <translation type="unfinished" />
+            <translation>зміщення нуля коливається навколо середнього з пам'яттю однієї довжини</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>S(f) = 2 s^2 tau / (1 + (2 pi f tau)^2)</source>
-            <translation type="unfinished" />
+            <translation>S(f) = 2 s^2 tau / (1 + (2 pi f tau)^2)</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>a hump of the Allan deviation at 1.89 tau</source>
-            <translation type="unfinished" />
+            <translation>горб девіації Аллана при 1,89 tau</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>samples are missing</source>
-            <translation type="unfinished" />
+            <translation>відліків бракує</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>gaps in the counter or the time</source>
-            <translation type="unfinished" />
+            <translation>пропуски в лічильнику або часі</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>steps of time that are whole multiples of the sampling time</source>
-            <translation type="unfinished" />
+            <translation>кроки часу, кратні інтервалу дискретизації</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>look at cable, speed of the port and load of the computer; record again</source>
-            <translation type="unfinished" />
+            <translation>перевірте кабель, швидкість порту і навантаження комп'ютера; запишіть знову</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>Missing codes</source>
-            <translation type="unfinished" />
+            <translation>Відсутні коди</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>the converter never gives some of its codes</source>
-            <translation type="unfinished" />
+            <translation>перетворювач ніколи не дає деяких своїх кодів</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>empty codes between full ones</source>
-            <translation type="unfinished" />
+            <translation>порожні коди між повними</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>a comb in the histogram of the codes</source>
-            <translation type="unfinished" />
+            <translation>гребінь у гістограмі кодів</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>look at the converter and at the scaling of its codes</source>
-            <translation type="unfinished" />
+            <translation>перевірте перетворювач і масштаб його кодів</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>Stale temperature</source>
-            <translation type="unfinished" />
+            <translation>Застигла температура</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>the temperature stands still while it cannot</source>
-            <translation type="unfinished" />
+            <translation>температура стоїть, коли не може</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>T bit for bit the same</source>
-            <translation type="unfinished" />
+            <translation>T біт у біт та сама</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>a run of equal temperatures far longer than chance</source>
-            <translation type="unfinished" />
+            <translation>ряд однакових температур, значно довший за випадковий</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>look at the thermometer; effects of temperature cannot be judged</source>
-            <translation type="unfinished" />
+            <translation>перевірте термометр; ефекти температури оцінити не можна</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>Variance burst</source>
-            <translation type="unfinished" />
+            <translation>Сплеск дисперсії</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>the scatter was larger for a time</source>
-            <translation type="unfinished" />
+            <translation>розкид якийсь час був більший</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>sigma larger from t1 to t2</source>
-            <translation type="unfinished" />
+            <translation>сигма більша від t1 до t2</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>a wide stretch of the record</source>
-            <translation type="unfinished" />
+            <translation>широка ділянка запису</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>look for vibration, steps, machines at that time; leave the stretch out</source>
-            <translation type="unfinished" />
+            <translation>шукайте вібрацію, кроки, машини в той час; не беріть цю ділянку</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>samples pile up at an extreme value</source>
-            <translation type="unfinished" />
+            <translation>відліки скупчуються на крайньому значенні</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>more samples at the extreme than beside it</source>
-            <translation type="unfinished" />
+            <translation>на крайньому значенні більше відліків, ніж поруч</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>a flat top</source>
-            <translation type="unfinished" />
+            <translation>плоский верх</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_facts.py" />
             <source>choose a larger range; look for shocks</source>
-            <translation type="unfinished" />
+            <translation>виберіть більший діапазон; шукайте удари</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record_slow.py" />
             <source>bT * (T - T0) + bT2 * (T - T0)^2 ...</source>
-            <translation type="unfinished" />
+            <translation>bT * (T - T0) + bT2 * (T - T0)^2 ...</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/relabelling.py" />
@@ -11036,7 +11540,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/model/catalogue/timeline.py" />
             <source>bT * (T - T0)</source>
-            <translation type="unfinished" />
+            <translation>bT * (T - T0)</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/timeline.py" />
@@ -11061,7 +11565,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/model/catalogue/timeline.py" />
             <source>k * kT * (T - T0) * x</source>
-            <translation type="unfinished" />
+            <translation>k * kT * (T - T0) * x</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/timeline.py" />
@@ -11196,7 +11700,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/model/effect.py" />
             <source>{id} has {len} shape values, not {len2}</source>
-            <translation type="unfinished" />
+            <translation>{id} має {len} значень форми, а не {len2}</translation>
         </message>
         <message>
             <location filename="../../core/model/stimulus.py" />
@@ -11271,7 +11775,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/plans/plan.py" />
             <source>a group is {group}; write it as a table [[group]]</source>
-            <translation type="unfinished" />
+            <translation>група — {group}; пишіть її таблицею [[group]]</translation>
         </message>
         <message>
             <location filename="../../core/plans/plan.py" />
@@ -11786,7 +12290,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/procedures/g_sensitivity.py" />
             <source>{symbol} of {channel}</source>
-            <translation type="unfinished" />
+            <translation>{symbol} каналу {channel}</translation>
         </message>
         <message>
             <location filename="../../core/procedures/g_sensitivity.py" />
@@ -12156,7 +12660,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/procedures/rate_faults.py" />
             <source>in {join}</source>
-            <translation type="unfinished" />
+            <translation>у {join}</translation>
         </message>
         <message>
             <location filename="../../core/procedures/rate_faults.py" />
@@ -12926,7 +13430,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/records/legacy/layout.py" />
             <source>{low} to {high}</source>
-            <translation type="unfinished" />
+            <translation>від {low} до {high}</translation>
         </message>
         <message>
             <location filename="../../core/records/legacy/layout.py" />
@@ -13021,7 +13525,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/records/legacy/recognise.py" />
             <source>{why} in {title}</source>
-            <translation type="unfinished" />
+            <translation>{why} у {title}</translation>
         </message>
         <message>
             <location filename="../../core/records/legacy/recognise.py" />
@@ -13126,7 +13630,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/records/means.py" />
             <source>se {name}</source>
-            <translation type="unfinished" />
+            <translation>se {name}</translation>
         </message>
         <message>
             <location filename="../../core/records/means.py" />
@@ -13535,6 +14039,11 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../core/records/session/record.py" />
+            <source>the computer's clock was set back between positions {number} and {number2} ({one}, then {other} UTC): their order is right, their times are not; do not judge drift by them</source>
+            <translation>годинник комп'ютера переведено назад між положеннями {number} і {number2} ({one}, потім {other} UTC): їх порядок правильний, а час — ні; не судіть за ним про дрейф</translation>
+        </message>
+        <message>
+            <location filename="../../core/records/session/record.py" />
             <source>position {number}: {text}</source>
             <translation>положення {number}: {text}</translation>
         </message>
@@ -13606,7 +14115,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/samples/accumulate.py" />
             <source>of {wanted}</source>
-            <translation type="unfinished" />
+            <translation>з {wanted}</translation>
         </message>
         <message>
             <location filename="../../core/samples/accumulate.py" />
@@ -13711,12 +14220,12 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../drivers/framing.py" />
             <source>the header of the record is damaged: it is no JSON object</source>
-            <translation type="unfinished" />
+            <translation>заголовок запису пошкоджено: не об'єкт JSON</translation>
         </message>
         <message>
             <location filename="../../drivers/framing.py" />
             <source>the header of the record is damaged: {error}</source>
-            <translation type="unfinished" />
+            <translation>заголовок запису пошкоджено: {error}</translation>
         </message>
         <message>
             <location filename="../../drivers/ports.py" />
@@ -14161,27 +14670,27 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../drivers/teach/analysis.py" />
             <source>nothing was found that a device file could say</source>
-            <translation type="unfinished" />
+            <translation>не знайдено нічого, що міг би сказати файл пристрою</translation>
         </message>
         <message>
             <location filename="../../drivers/teach/checks.py" />
             <source>poly 0x{poly}</source>
-            <translation type="unfinished" />
+            <translation>poly 0x{poly}</translation>
         </message>
         <message>
             <location filename="../../drivers/teach/checks.py" />
             <source>init 0x{init}</source>
-            <translation type="unfinished" />
+            <translation>init 0x{init}</translation>
         </message>
         <message>
             <location filename="../../drivers/teach/checks.py" />
             <source>{endian} endian</source>
-            <translation type="unfinished" />
+            <translation>{endian} endian</translation>
         </message>
         <message>
             <location filename="../../drivers/teach/checks.py" />
             <source>xorout 0x{xorout}</source>
-            <translation type="unfinished" />
+            <translation>xorout 0x{xorout}</translation>
         </message>
         <message>
             <location filename="../../drivers/toml_table.py" />
@@ -14366,7 +14875,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../drivers/virtual/devices.py" />
             <source>effect {effect_id} acts between rows; a rig plays what acts at once</source>
-            <translation type="unfinished" />
+            <translation>ефект {effect_id} діє між рядками; стенд грає те, що діє одразу</translation>
         </message>
         <message>
             <location filename="../../drivers/virtual/devices.py" />
@@ -14441,257 +14950,325 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../gui/languages/plain_texts.py" />
             <source>done</source>
-            <translation type="unfinished" />
+            <translation>готово</translation>
         </message>
         <message>
             <location filename="../../gui/languages/plain_texts.py" />
             <source>heading</source>
-            <translation type="unfinished" />
+            <translation>курс</translation>
         </message>
         <message>
             <location filename="../../gui/languages/plain_texts.py" />
             <source>headings</source>
-            <translation type="unfinished" />
+            <translation>курси</translation>
         </message>
         <message>
             <location filename="../../gui/languages/plain_texts.py" />
             <source>now</source>
-            <translation type="unfinished" />
+            <translation>зараз</translation>
         </message>
         <message>
             <location filename="../../gui/languages/plain_texts.py" />
             <source>problem</source>
-            <translation type="unfinished" />
+            <translation>несправність</translation>
         </message>
         <message>
             <location filename="../../gui/languages/plain_texts.py" />
             <source>rate</source>
-            <translation type="unfinished" />
+            <translation>швидкість</translation>
         </message>
         <message>
             <location filename="../../gui/languages/plain_texts.py" />
             <source>rates</source>
-            <translation type="unfinished" />
+            <translation>швидкості</translation>
         </message>
         <message>
             <location filename="../../gui/languages/plain_texts.py" />
             <source>row</source>
-            <translation type="unfinished" />
+            <translation>рядок</translation>
         </message>
         <message>
             <location filename="../../gui/languages/plain_texts.py" />
             <source>turn-on</source>
-            <translation type="unfinished" />
+            <translation>увімкнення</translation>
         </message>
         <message>
             <location filename="../../resources/plans/accelerometer_4.toml" />
             <source>4 positions about X</source>
-            <translation type="unfinished" />
+            <translation>4 положення навколо X</translation>
         </message>
         <message>
             <location filename="../../resources/plans/accelerometer_4.toml" />
             <source>Rotation Around X axis, X from ODH</source>
-            <translation type="unfinished" />
+            <translation>Rotation Around X axis, X from ODH</translation>
         </message>
         <message>
             <location filename="../../resources/plans/accelerometer_8.toml" />
             <source>8 positions about X and Y</source>
-            <translation type="unfinished" />
+            <translation>8 положень навколо X і Y</translation>
         </message>
         <message>
             <location filename="../../resources/plans/accelerometer_8.toml" />
             <source>Rotation Around Y axis, Y from ODH</source>
-            <translation type="unfinished" />
+            <translation>Rotation Around Y axis, Y from ODH</translation>
         </message>
         <message>
             <location filename="../../resources/plans/clbacc_24.toml" />
             <source>15-degree steps, about X and Y</source>
-            <translation type="unfinished" />
+            <translation>Кроки по 15 градусів, навколо X і Y</translation>
         </message>
         <message>
             <location filename="../../resources/plans/drift_turn_on.toml" />
             <source>5 turn-ons at each temperature, drift after switching on</source>
-            <translation type="unfinished" />
+            <translation>5 увімкнень за кожної температури, дрейф після увімкнення</translation>
         </message>
         <message>
             <location filename="../../resources/plans/drift_turn_on.toml" />
             <source>Turn-ons, unit at rest</source>
-            <translation type="unfinished" />
+            <translation>Увімкнення, виріб у спокої</translation>
         </message>
         <message>
             <location filename="../../resources/plans/fourier_400.toml" />
             <source>Fourier tumble, 5 to 400 deg by 5</source>
-            <translation type="unfinished" />
+            <translation>Оберт за Фур'є, від 5 до 400 deg через 5</translation>
         </message>
         <message>
             <location filename="../../resources/plans/fourier_400.toml" />
             <source>Tumble about Z, X level at 0</source>
-            <translation type="unfinished" />
+            <translation>Оберт навколо Z, X горизонтально на 0</translation>
         </message>
         <message>
             <location filename="../../resources/plans/fourier_flip.toml" />
             <source>Fourier tumble, upright and turned over, 15 to 375 deg by 15</source>
-            <translation type="unfinished" />
+            <translation>Оберт за Фур'є, прямо і перевернуто, від 15 до 375 deg через 15</translation>
         </message>
         <message>
             <location filename="../../resources/plans/fourier_flip.toml" />
             <source>Upright: Y up at 0</source>
-            <translation type="unfinished" />
+            <translation>Прямо: Y вгору на 0</translation>
         </message>
         <message>
             <location filename="../../resources/plans/fourier_flip.toml" />
             <source>Turned over: Y down at 0</source>
-            <translation type="unfinished" />
+            <translation>Перевернуто: Y вниз на 0</translation>
         </message>
         <message>
             <location filename="../../resources/plans/g_sensitivity_4.toml" />
             <source>g-sensitivity of gyros, 4 positions about X</source>
-            <translation type="unfinished" />
+            <translation>g-чутливість гіроскопів, 4 положення навколо X</translation>
         </message>
         <message>
             <location filename="../../resources/plans/g_sensitivity_8.toml" />
             <source>g-sensitivity of gyros, 8 positions about X and Y</source>
-            <translation type="unfinished" />
+            <translation>g-чутливість гіроскопів, 8 положень навколо X і Y</translation>
         </message>
         <message>
             <location filename="../../resources/plans/gyrocompass_4.toml" />
             <source>Gyrocompass, steps of 90 deg</source>
-            <translation type="unfinished" />
+            <translation>Гірокомпас, кроки по 90 deg</translation>
         </message>
         <message>
             <location filename="../../resources/plans/gyrocompass_4.toml" />
             <source>Gyro on a level base, input axis level</source>
-            <translation type="unfinished" />
+            <translation>Гіроскоп на горизонтальній основі, вхідна вісь горизонтально</translation>
         </message>
         <message>
             <location filename="../../resources/plans/pitch_accuracy.toml" />
             <source>Accuracy, pitch 0 to 360 deg</source>
-            <translation type="unfinished" />
+            <translation>Точність, тангаж від 0 до 360 deg</translation>
         </message>
         <message>
             <location filename="../../resources/plans/pitch_accuracy.toml" />
             <source>Pitch, X from ODH</source>
-            <translation type="unfinished" />
+            <translation>Тангаж, X from ODH</translation>
         </message>
         <message>
             <location filename="../../resources/plans/pitch_accuracy_3.toml" />
             <source>Accuracy, pitch 0, 30, 60 deg</source>
-            <translation type="unfinished" />
+            <translation>Точність, тангаж 0, 30, 60 deg</translation>
         </message>
         <message>
             <location filename="../../resources/plans/pitch_accuracy_45.toml" />
             <source>Accuracy, pitch 0 to 360 deg by 45</source>
-            <translation type="unfinished" />
+            <translation>Точність, тангаж від 0 до 360 deg через 45</translation>
         </message>
         <message>
             <location filename="../../resources/plans/pointer_16.toml" />
             <source>Pointer, 16 positions</source>
-            <translation type="unfinished" />
+            <translation>Pointer, 16 положень</translation>
         </message>
         <message>
             <location filename="../../resources/plans/pointer_16.toml" />
             <source>Rotation Around X axis, X to ODH</source>
-            <translation type="unfinished" />
+            <translation>Rotation Around X axis, X to ODH</translation>
         </message>
         <message>
             <location filename="../../resources/plans/pointer_16.toml" />
             <source>Rotation Around Y axis, Y to ODH</source>
-            <translation type="unfinished" />
+            <translation>Rotation Around Y axis, Y to ODH</translation>
         </message>
         <message>
             <location filename="../../resources/plans/pointer_8.toml" />
             <source>Pointer, positions 1-4 and 13-16</source>
-            <translation type="unfinished" />
+            <translation>Pointer, положення 1-4 і 13-16</translation>
         </message>
         <message>
             <location filename="../../resources/plans/rate_table_100.toml" />
             <source>Rate table, -100 to 100 deg/s, about Z</source>
-            <translation type="unfinished" />
+            <translation>Поворотний стенд, від -100 до 100 deg/s, навколо Z</translation>
         </message>
         <message>
             <location filename="../../resources/plans/rate_table_100.toml" />
             <source>Rotation Around Axis, Z up</source>
-            <translation type="unfinished" />
+            <translation>Rotation Around Axis, Z up</translation>
         </message>
         <message>
             <location filename="../../resources/plans/rate_table_cvg40.toml" />
             <source>Rate table, -40 to 40 deg/s, about Z, for a CVG</source>
-            <translation type="unfinished" />
+            <translation>Поворотний стенд, від -40 до 40 deg/s, навколо Z, для CVG</translation>
         </message>
         <message>
             <location filename="../../resources/plans/rate_table_up_down.toml" />
             <source>Rate table, up and down twice, -100 to 100 deg/s, about Z</source>
-            <translation type="unfinished" />
+            <translation>Поворотний стенд, двічі вгору і вниз, від -100 до 100 deg/s, навколо Z</translation>
         </message>
         <message>
             <location filename="../../resources/plans/rate_table_up_down.toml" />
             <source>Rising rates, first sweep, Z up</source>
-            <translation type="unfinished" />
+            <translation>Зростання швидкостей, перший прохід, Z вгору</translation>
         </message>
         <message>
             <location filename="../../resources/plans/rate_table_up_down.toml" />
             <source>Falling rates, first sweep, Z up</source>
-            <translation type="unfinished" />
+            <translation>Спадання швидкостей, перший прохід, Z вгору</translation>
         </message>
         <message>
             <location filename="../../resources/plans/rate_table_up_down.toml" />
             <source>Rising rates, second sweep, Z up</source>
-            <translation type="unfinished" />
+            <translation>Зростання швидкостей, другий прохід, Z вгору</translation>
         </message>
         <message>
             <location filename="../../resources/plans/rate_table_up_down.toml" />
             <source>Falling rates, second sweep, Z up</source>
-            <translation type="unfinished" />
+            <translation>Спадання швидкостей, другий прохід, Z вгору</translation>
         </message>
         <message>
             <location filename="../../resources/plans/rate_table_xyz.toml" />
             <source>Rate table, all three axes by re-mounting, -100 to 100 deg/s</source>
-            <translation type="unfinished" />
+            <translation>Поворотний стенд, усі три осі перевстановленням, від -100 до 100 deg/s</translation>
         </message>
         <message>
             <location filename="../../resources/plans/rate_table_xyz.toml" />
             <source>Rotation Around X, X up</source>
-            <translation type="unfinished" />
+            <translation>Rotation Around X, X up</translation>
         </message>
         <message>
             <location filename="../../resources/plans/rate_table_xyz.toml" />
             <source>Rotation Around Y, Y up</source>
-            <translation type="unfinished" />
+            <translation>Rotation Around Y, Y up</translation>
         </message>
         <message>
             <location filename="../../resources/plans/rate_table_xyz.toml" />
             <source>Rotation Around Z, Z up</source>
-            <translation type="unfinished" />
+            <translation>Rotation Around Z, Z up</translation>
         </message>
         <message>
             <location filename="../../resources/plans/roll_accuracy.toml" />
             <source>Accuracy, roll 0 to 360 deg</source>
-            <translation type="unfinished" />
+            <translation>Точність, крен від 0 до 360 deg</translation>
         </message>
         <message>
             <location filename="../../resources/plans/roll_accuracy.toml" />
             <source>Roll, Y from ODH</source>
-            <translation type="unfinished" />
+            <translation>Крен, Y from ODH</translation>
         </message>
         <message>
             <location filename="../../resources/plans/roll_accuracy_3.toml" />
             <source>Accuracy, roll 0, 30, 60 deg</source>
-            <translation type="unfinished" />
+            <translation>Точність, крен 0, 30, 60 deg</translation>
         </message>
         <message>
             <location filename="../../resources/plans/roll_accuracy_45.toml" />
             <source>Accuracy, roll 0 to 360 deg by 45</source>
-            <translation type="unfinished" />
+            <translation>Точність, крен від 0 до 360 deg через 45</translation>
         </message>
         <message>
             <location filename="../../resources/plans/six_positions.toml" />
             <source>6 orthogonal positions</source>
-            <translation type="unfinished" />
+            <translation>6 ортогональних положень</translation>
         </message>
         <message>
             <location filename="../../resources/plans/thermal_8.toml" />
             <source>8 positions at each temperature of the cycle</source>
+            <translation>8 положень за кожної температури циклу</translation>
+        </message>
+    </context>
+    <context>
+        <name>SourceView</name>
+        <message>
+            <location filename="../../gui/frames/source_view.py" />
+            <source>Stop listening</source>
             <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/source_view.py" />
+            <source>Listen</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/source_view.py" />
+            <source>Port</source>
+            <translation>Порт</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/source_view.py" />
+            <source>BaudRate</source>
+            <translation>Швидкість</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/source_view.py" />
+            <source>Raw log…</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/source_view.py" />
+            <source>Take the bytes of a raw log, a recording, or any file</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/source_view.py" />
+            <source>Find layout</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/source_view.py" />
+            <source>Looks for frames, checksum and numbers in the latest bytes (F5)</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/source_view.py" />
+            <source>Hold</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/source_view.py" />
+            <source>Opens the port and only listens; nothing is sent</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/source_view.py" />
+            <source>Raw bytes</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/source_view.py" />
+            <source>Raw logs and recordings (*.calrec)</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/source_view.py" />
+            <source>All files (*)</source>
+            <translation>Усі файли (*)</translation>
         </message>
     </context>
     <context>
@@ -14816,12 +15393,12 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../gui/widgets/window_menu.py" />
             <source>Go to</source>
-            <translation type="unfinished" />
+            <translation>Перейти до</translation>
         </message>
         <message>
             <location filename="../../gui/widgets/window_menu.py" />
             <source>Look</source>
-            <translation type="unfinished" />
+            <translation>Вигляд</translation>
         </message>
         <message>
             <location filename="../../gui/widgets/window_menu.py" />
@@ -14831,17 +15408,17 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../gui/widgets/window_menu.py" />
             <source>Help</source>
-            <translation type="unfinished" />
+            <translation>Довідка</translation>
         </message>
         <message>
             <location filename="../../gui/widgets/window_menu.py" />
             <source>Distance view</source>
-            <translation type="unfinished" />
+            <translation>Вигляд здалеку</translation>
         </message>
         <message>
             <location filename="../../gui/widgets/window_menu.py" />
             <source>Preferences</source>
-            <translation type="unfinished" />
+            <translation>Налаштування</translation>
         </message>
         <message>
             <location filename="../../gui/widgets/window_menu.py" />
@@ -14851,17 +15428,17 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../gui/widgets/window_menu.py" />
             <source>Tour of the window</source>
-            <translation type="unfinished" />
+            <translation>Огляд вікна</translation>
         </message>
         <message>
             <location filename="../../gui/widgets/window_menu.py" />
             <source>Next tab</source>
-            <translation type="unfinished" />
+            <translation>Наступна вкладка</translation>
         </message>
         <message>
             <location filename="../../gui/widgets/window_menu.py" />
             <source>Tab before</source>
-            <translation type="unfinished" />
+            <translation>Попередня вкладка</translation>
         </message>
         <message>
             <location filename="../../gui/widgets/window_menu.py" />
@@ -14881,26 +15458,59 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../gui/widgets/window_menu.py" />
             <source>Off</source>
-            <translation type="unfinished" />
+            <translation>Вимкнено</translation>
         </message>
         <message>
             <location filename="../../gui/widgets/window_menu.py" />
             <source>Quiet</source>
-            <translation type="unfinished" />
+            <translation>Тихо</translation>
         </message>
         <message>
             <location filename="../../gui/widgets/window_menu.py" />
             <source>Normal</source>
-            <translation type="unfinished" />
+            <translation>Звичайно</translation>
         </message>
         <message>
             <location filename="../../gui/widgets/window_menu.py" />
             <source>Loud</source>
-            <translation type="unfinished" />
+            <translation>Голосно</translation>
         </message>
         <message>
             <location filename="../../gui/widgets/window_menu.py" />
             <source>Language</source>
+            <translation>Мова</translation>
+        </message>
+    </context>
+    <context>
+        <name>_Model</name>
+        <message>
+            <location filename="../../gui/frames/fields_view.py" />
+            <source>Name</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/fields_view.py" />
+            <source>Bytes</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/fields_view.py" />
+            <source>Type</source>
+            <translation>Тип</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/fields_view.py" />
+            <source>Value</source>
+            <translation>Значення</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/fields_view.py" />
+            <source>Course</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/frames/fields_view.py" />
+            <source>Looks like</source>
             <translation type="unfinished" />
         </message>
     </context>
