@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
-from PySide6.QtCore import QEvent, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QLocale, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QCloseEvent, QKeySequence, QPaintEvent, QShortcut
 from PySide6.QtWidgets import (
     QDockWidget,
@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from gui.languages.shown import shown
 from gui.messages import Messages
 from gui.widgets.banner import Banner
 from gui.widgets.device_strip import DeviceStrip
@@ -111,24 +112,25 @@ class MainWindow(QMainWindow):
         self.tabs.setDocumentMode(True)
         self.banner = Banner()
         self.log = LogDrawer()
-        self._menu_button = QToolButton()
-        self._menu_button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.menu_button = QToolButton()
+        self.menu_button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.menu = WindowMenu(self.tabs, self)
-        self._menu_button.setMenu(self.menu)
-        self.tabs.setCornerWidget(self._menu_button, Qt.Corner.TopRightCorner)
-        self._dock = QDockWidget(self)
-        self._dock.setObjectName("rig")
-        self._dock.setFeatures(
+        self.menu_button.setMenu(self.menu)
+        self.tabs.setCornerWidget(self.menu_button, Qt.Corner.TopRightCorner)
+        self.rig_dock = QDockWidget(self)
+        self.rig_dock.setObjectName("rig")
+        self.rig_dock.setFeatures(
             QDockWidget.DockWidgetFeature.DockWidgetClosable
             | QDockWidget.DockWidgetFeature.DockWidgetMovable
         )
-        self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self._dock)
-        self._dock.hide()
+        self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, self.rig_dock)
+        self.rig_dock.hide()
         self._adc = QDockWidget(self)
         self._adc.setObjectName("adc")
         self.addDockWidget(Qt.DockWidgetArea.BottomDockWidgetArea, self._adc)
         self._adc.hide()
         self._stop, self._start = QAction(self), QAction(self)
+        self._titles: dict[int, str] = {}
         self._hidden: tuple[QDockWidget, ...] = ()
         self._before_distant = self.windowState()
         self._build()
@@ -151,7 +153,7 @@ class MainWindow(QMainWindow):
 
     def _build_menu(self) -> None:
         menu = self.menu
-        rig, adc = self._dock.toggleViewAction(), self._adc.toggleViewAction()
+        rig, adc = self.rig_dock.toggleViewAction(), self._adc.toggleViewAction()
         rig.setVisible(False)
         adc.setShortcut(QKeySequence("Ctrl+D"))
         menu.insertActions(menu.docks, [rig, adc])
@@ -173,10 +175,18 @@ class MainWindow(QMainWindow):
         current = self.tabs.currentIndex()
         empty = self.tabs.widget(place)
         self.tabs.removeTab(place)
-        self.tabs.insertTab(place, page, title)
+        self.tabs.insertTab(place, page, "")
+        self._titles[place] = title
+        self._name_tabs()
         self.tabs.setCurrentIndex(current)
         if empty is not None:
             empty.deleteLater()
+
+    def _name_tabs(self) -> None:
+        """Tabs in the language of the window; the English title stays in the tool tip."""
+        for place, title in self._titles.items():
+            self.tabs.setTabText(place, shown(title))
+            self.tabs.setTabToolTip(place, title if shown(title) != title else "")
 
     def put_devices(self, devices: "DevicesView") -> None:
         """Put Device Properties below the strip, closed."""
@@ -201,17 +211,17 @@ class MainWindow(QMainWindow):
 
     def show_rig(self, panel: QWidget | None) -> None:
         """Dock the rig, or take it away."""
-        if panel is not None and self._dock.widget() is not panel:
-            self._dock.setWidget(panel)
-            self.resizeDocks([self._dock], [panel.minimumWidth()], Qt.Orientation.Horizontal)
-        self._dock.setVisible(panel is not None)
-        self._dock.toggleViewAction().setVisible(panel is not None)
+        if panel is not None and self.rig_dock.widget() is not panel:
+            self.rig_dock.setWidget(panel)
+            self.resizeDocks([self.rig_dock], [panel.minimumWidth()], Qt.Orientation.Horizontal)
+        self.rig_dock.setVisible(panel is not None)
+        self.rig_dock.toggleViewAction().setVisible(panel is not None)
 
     def set_distant(self, distant: bool) -> None:
         """Give the whole screen to what is laid over the window, or take it back."""
         if distant:
             self._before_distant = self.windowState()
-            self._hidden = tuple(d for d in (self._dock, self._adc) if d.isVisible())
+            self._hidden = tuple(d for d in (self.rig_dock, self._adc) if d.isVisible())
             for dock in self._hidden:
                 dock.hide()
             self.setWindowState(self._before_distant | Qt.WindowState.WindowFullScreen)
@@ -238,11 +248,14 @@ class MainWindow(QMainWindow):
 
     def _retranslate(self) -> None:
         self.setWindowTitle("CalRig")
-        self._menu_button.setText(self.tr("Menu"))
+        # All widgets inside, also those to come, write numbers like the window.
+        self.setLocale(QLocale())
+        self._name_tabs()
+        self.menu_button.setText(self.tr("Menu"))
         # A button drops its key with every change of its text.
-        self._menu_button.setShortcut(QKeySequence("F10"))
-        self._menu_button.setToolTip(self.tr("Look, sounds, keys, preferences (F10)"))
-        self._dock.setWindowTitle(self.tr("Simulated rig"))
+        self.menu_button.setShortcut(QKeySequence("F10"))
+        self.menu_button.setToolTip(self.tr("Look, sounds, keys, preferences (F10)"))
+        self.rig_dock.setWindowTitle(self.tr("Simulated rig"))
         self._adc.setWindowTitle(self.tr("View ADC Data"))
         self._stop.setText(self.tr("Stop Device"))
         self._start.setText(self.tr("Start Device"))

@@ -8,6 +8,7 @@ from PySide6.QtGui import QColor, QHelpEvent, QPainter, QPaintEvent, QPen, QPoly
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from gui.accuracy.state import GraphState, Series
+from gui.languages.shown import shown, shown_number
 from gui.widgets.chart_scale import nice_step, tick_text, ticks
 from gui.widgets.number_text import significant
 from gui.widgets.states import Tone
@@ -57,7 +58,7 @@ class ErrorGraph(QWidget):
         self._points = []
         if plot.height() < 2 * unit or not self._drawn:
             painter.setPen(QColor(theme.muted))
-            painter.drawText(plot, Qt.AlignmentFlag.AlignCenter, self._state.hint)
+            painter.drawText(plot, Qt.AlignmentFlag.AlignCenter, shown(self._state.hint))
             painter.drawRect(plot)
             return
         scale = _Scale(plot, self._state)
@@ -88,7 +89,7 @@ class ErrorGraph(QWidget):
             painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y))
             painter.setPen(QColor(theme.muted))
             label = QRectF(0, y - unit, plot.left() - 5, 2 * unit)
-            painter.drawText(label, right, tick_text(value, step))
+            painter.drawText(label, right, shown_number(tick_text(value, step)))
         most = max(2, int(plot.width() / (3.2 * metrics.horizontalAdvance("000"))))
         span = self._state.high - self._state.low
         across = next((s for s in _ANGLE_STEPS if span / s <= most), _ANGLE_STEPS[-1])
@@ -120,12 +121,12 @@ class ErrorGraph(QWidget):
             x += 1.4 * unit
             painter.setPen(QColor(theme.text))
             painter.drawText(QRectF(x, place.top(), place.width(), place.height()), middle,
-                             series.name)  # fmt: skip
-            x += metrics.horizontalAdvance(series.name) + 1.2 * unit
-        words = self._state.title
+                             shown(series.name))  # fmt: skip
+            x += metrics.horizontalAdvance(shown(series.name)) + 1.2 * unit
+        words = shown(self._state.title)
         if self._state.limit > 0 and not scale.limit_drawn:
             words = self.tr("{title}; limit ±{limit} lies outside").format(
-                title=words, limit=significant(self._state.limit, 3)
+                title=words, limit=shown_number(significant(self._state.limit, 3))
             )
         right = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
         room = QRectF(x, place.top(), place.right() - x, place.height())
@@ -152,7 +153,9 @@ class ErrorGraph(QWidget):
             painter.drawText(
                 room,
                 Qt.AlignmentFlag.AlignRight,
-                self.tr("limit ±{limit}°").format(limit=significant(self._state.limit, 3)),
+                self.tr("limit ±{limit}°").format(
+                    limit=shown_number(significant(self._state.limit, 3))
+                ),
             )
         if math.isfinite(self._state.level):
             painter.setPen(QPen(QColor(theme.accent), 1))
@@ -161,7 +164,7 @@ class ErrorGraph(QWidget):
             painter.drawText(
                 QRectF(plot.left() + 0.4 * unit, y - 1.2 * unit, 14 * unit, unit),
                 Qt.AlignmentFlag.AlignLeft,
-                self.tr("now {value}°").format(value=f"{self._state.level:.2f}"),
+                self.tr("now {value}°").format(value=shown_number(f"{self._state.level:.2f}")),
             )
 
     def _trace(self, painter: QPainter, scale: "_Scale", series: Series) -> None:

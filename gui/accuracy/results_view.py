@@ -7,10 +7,12 @@ from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QLabel, QTabBar, QVBoxLayo
 from gui.accuracy.graph_view import ErrorGraph
 from gui.accuracy.page import AccuracyPage
 from gui.accuracy.state import Chip, TraceToggle
+from gui.languages.shown import shown
 from gui.measuring.page import ResultsPage
 from gui.measuring.results_view import ResultsView
 from gui.widgets.icons import paint_tone
 from gui.widgets.theme import current_theme
+from gui.widgets.word_label import WordLabel
 
 
 class AccuracyResultsView(ResultsView):
@@ -20,13 +22,14 @@ class AccuracyResultsView(ResultsView):
     trace_toggled = Signal(str, bool)
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        self._rule = QLabel()
+        self._rule = WordLabel()
         self.tabs = QTabBar()
         self.graph = ErrorGraph()
         self.chips: list[VerdictChip] = []
         self.toggles: dict[str, QCheckBox] = {}
-        super().__init__(parent)
         self._names: tuple[tuple[str, str], ...] = ()
+        self._traces: tuple[TraceToggle, ...] = ()
+        super().__init__(parent)
         self._parts: object = None
         unit = self.fontMetrics().height()
         self._rule.setWordWrap(True)
@@ -91,11 +94,12 @@ class AccuracyResultsView(ResultsView):
             while self.tabs.count():
                 self.tabs.removeTab(0)
             for key, name in state.names:
-                self.tabs.setTabData(self.tabs.addTab(name), key)
+                self.tabs.setTabData(self.tabs.addTab(shown(name)), key)
         self.tabs.setCurrentIndex([key for key, _ in state.names].index(state.shown))
         self.tabs.blockSignals(blocked)
 
     def _render_toggles(self, traces: tuple[TraceToggle, ...]) -> None:
+        self._traces = traces
         for trace in traces:
             if trace.key not in self.toggles:
                 box = QCheckBox()
@@ -107,7 +111,7 @@ class AccuracyResultsView(ResultsView):
             box.setVisible(key in there)
             if key in there:
                 blocked = box.blockSignals(True)
-                box.setText(there[key].name)
+                box.setText(shown(there[key].name))
                 box.setChecked(there[key].shown)
                 box.blockSignals(blocked)
 
@@ -117,6 +121,10 @@ class AccuracyResultsView(ResultsView):
 
     def _retranslate(self) -> None:
         super()._retranslate()
+        for place, (_, name) in enumerate(self._names):
+            self.tabs.setTabText(place, shown(name))
+        for trace in self._traces:
+            self.toggles[trace.key].setText(shown(trace.name))
         self.tabs.setAccessibleName(self.tr("Pages of the graph"))
 
 
@@ -139,9 +147,10 @@ class VerdictChip(QWidget):
         if chip == self._chip:
             return
         self._chip = chip
-        verdict = f"<b>{chip.verdict}</b>&nbsp; " if chip.verdict else ""
-        self._words.setText(f"{verdict}{chip.name}<br><small>{chip.why}</small>")
-        self.setAccessibleName(f"{chip.name} {chip.verdict}, {chip.why}")
+        told, name, why = shown(chip.verdict), shown(chip.name), shown(chip.why)
+        verdict = f"<b>{told}</b>&nbsp; " if told else ""
+        self._words.setText(f"{verdict}{name}<br><small>{why}</small>")
+        self.setAccessibleName(f"{name} {told}, {why}")
         self.update()
 
     @property
@@ -171,3 +180,6 @@ class VerdictChip(QWidget):
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange:
             self.update()
+        elif event.type() == QEvent.Type.LanguageChange and self._chip is not None:
+            chip, self._chip = self._chip, None
+            self.render(chip)

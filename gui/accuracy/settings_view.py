@@ -153,6 +153,7 @@ class AccuracyForm(SettingsForm[AccuracySettings]):
 
     def retranslate(self) -> None:
         super().retranslate()
+        self._dialog = None
         for button, text in zip(
             self._kind_buttons, (self.tr("Pitch"), self.tr("Roll")), strict=True
         ):

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
 )
 
 from gui.advisor.state import AdvisorState, ProposalRow, StepRow
+from gui.languages.shown import shown
 from gui.widgets.fields import ChoiceField, NumberField
 
 _KEY = Qt.ItemDataRole.UserRole
@@ -80,13 +81,14 @@ class PlanView(QWidget):
 
     def render(self, state: AdvisorState) -> None:
         """Show a state."""
+        self._state = state
         self._rendering = True
         if state.proposals != self._proposals:
             self._proposals = state.proposals
             self.proposals.clear()
             height = round(2.7 * self.fontMetrics().height())
             for row in state.proposals:
-                item = QListWidgetItem(f"{row.title}\n{row.detail}")
+                item = QListWidgetItem(f"{shown(row.title)}\n{shown(row.detail)}")
                 item.setSizeHint(QSize(0, height))
                 self.proposals.addItem(item)
         keys = [row.key for row in state.proposals]
@@ -112,7 +114,7 @@ class PlanView(QWidget):
                 if step.group != group:
                     group = step.group
                     self._add_heading(group)
-                item = QListWidgetItem(step.text)
+                item = QListWidgetItem(shown(step.text))
                 item.setSizeHint(QSize(0, height))
                 item.setData(_KEY, step.number)
                 item.setFlags(
@@ -130,7 +132,7 @@ class PlanView(QWidget):
                 item.setCheckState(state)
 
     def _add_heading(self, text: str) -> None:
-        item = QListWidgetItem(text)
+        item = QListWidgetItem(shown(text))
         font = item.font()
         font.setBold(True)
         item.setFont(font)
@@ -153,6 +155,9 @@ class PlanView(QWidget):
         super().changeEvent(event)
         if event.type() == QEvent.Type.LanguageChange:
             self._retranslate()
+            if self._state is not None:
+                self._proposals, self._steps = (), ()
+                self.render(self._state)
 
     def _retranslate(self) -> None:
         words = (

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QLabel, QWidget
 from core.records.noise_study import StudyRequest
 from gui.allan.state import ChoiceState
 from gui.allan.texts import DEVIATIONS
+from gui.languages.shown import shown, shown_number
 from gui.widgets.fields import ChoiceField, NumberField
 
 _UNITS = ("", "deg/s", "m/s^2", "code", "V")
@@ -82,10 +83,10 @@ class SettingsView(QWidget):
         self.rate.setValue(request.rate)
         self.rate.setSpecialValueText(f"{state.rate:.6g} Hz" if state.rate else self.tr("state it"))
         self.scale.setValue(request.scale_factor)
-        self.scale.setSpecialValueText(f"{state.factor:.6g}")
+        self.scale.setSpecialValueText(shown_number(f"{state.factor:.6g}"))
         self.bandwidth.setValue(request.bandwidth)
         _fill(self.unit, _UNITS, request.unit)
-        self.unit.setItemText(0, state.unit or "code")
+        self.unit.setItemText(0, state.unit or shown("code"))
         self.order.setCurrentIndex(request.order - 1)
         self.increments.setChecked(request.increments)
         self.beside.setCurrentIndex(self.beside.findData(request.beside))
@@ -122,6 +123,8 @@ class SettingsView(QWidget):
         super().changeEvent(event)
         if event.type() == QEvent.Type.LanguageChange:
             self._retranslate()
+            state, self._state = self._state, None
+            self.render(state)
 
     def _retranslate(self) -> None:
         words = (
@@ -165,8 +168,7 @@ class SettingsView(QWidget):
 
 def _fill(field: QComboBox, names: Sequence[str], chosen: str) -> None:
     """Offer these names; what is not among them chooses the first."""
-    shown = [field.itemText(place) for place in range(field.count())]
-    if shown != list(names):
+    if [field.itemText(place) for place in range(field.count())] != list(names):
         field.clear()
         field.addItems(list(names))
     field.setCurrentIndex(max(field.findText(chosen, Qt.MatchFlag.MatchExactly), 0))

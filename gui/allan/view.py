@@ -7,7 +7,6 @@ from PySide6.QtGui import QColor, QIcon, QPixmap
 from PySide6.QtWidgets import (
     QFileDialog,
     QHBoxLayout,
-    QLabel,
     QListWidget,
     QListWidgetItem,
     QSizePolicy,
@@ -20,10 +19,12 @@ from PySide6.QtWidgets import (
 from gui.allan.presenter import LIVE_KEY, AllanPresenter
 from gui.allan.settings_view import SettingsView
 from gui.allan.state import AllanState, RecordRow
+from gui.languages.shown import shown
 from gui.widgets.action_bar import ActionBar
 from gui.widgets.findings_view import FindingsView
 from gui.widgets.theme import current_theme
 from gui.widgets.toggle import Toggle
+from gui.widgets.word_label import WordLabel
 
 if TYPE_CHECKING:
     from gui.allan.plot_view import AllanPlot
@@ -53,7 +54,7 @@ class AllanView(QWidget):
         self.findings = FindingsView()
         self.action_bar = ActionBar()
         self.band, self.terms = Toggle(), Toggle()
-        self.reading, self.hint = QLabel(), QLabel()
+        self.reading, self.hint = WordLabel(), WordLabel()
         self.plot: AllanPlot | None = None
         self._dialog: QFileDialog | None = None
         self._middle = QStackedWidget()
@@ -176,8 +177,9 @@ class AllanView(QWidget):
 
     def _render_row(self, item: QListWidgetItem, row: RecordRow) -> None:
         item.setData(_KEY, row.key)
-        item.setText(f"{row.title}\n{row.detail}")
-        item.setToolTip(row.trouble or f"{row.title}\n{row.detail}")
+        words = f"{shown(row.title)}\n{shown(row.detail)}"
+        item.setText(words)
+        item.setToolTip(shown(row.trouble) or words)
         item.setIcon(_sign(row))
         flags = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable
         if row.key != LIVE_KEY:
@@ -196,8 +198,8 @@ class AllanView(QWidget):
 
     def _on_item(self, item: QListWidgetItem) -> None:
         if not self._rendering and item.data(_KEY) != LIVE_KEY:
-            shown = item.checkState() is Qt.CheckState.Checked
-            self._presenter.show(item.data(_KEY), shown)
+            checked = item.checkState() is Qt.CheckState.Checked
+            self._presenter.show(item.data(_KEY), checked)
 
     def _on_action(self, key: str) -> None:
         if key == "add":
@@ -226,6 +228,9 @@ class AllanView(QWidget):
         super().changeEvent(event)
         if event.type() == QEvent.Type.LanguageChange:
             self._retranslate()
+            self._rows, self._dialog = (), None
+            if self._state is not None:
+                self.render(self._state)
         elif event.type() == QEvent.Type.PaletteChange:
             self._rendering = True
             for place, row in enumerate(getattr(self, "_rows", ())):

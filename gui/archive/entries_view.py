@@ -14,6 +14,7 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
 
 from gui.archive.state import ListRow
+from gui.languages.shown import shown
 from gui.widgets.states import Tone
 from gui.widgets.theme import current_theme
 
@@ -124,7 +125,7 @@ class _Model(QAbstractTableModel):
 
     def data(self, index: _Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
         row = self.rows[index.row()]
-        text = row.cells[index.column()]
+        text = shown(row.cells[index.column()])
         if role == Qt.ItemDataRole.DisplayRole:
             return _SIGNS.get(row.tone, "") + text if index.column() == _VERDICT else text
         if role in (Qt.ItemDataRole.ToolTipRole, Qt.ItemDataRole.AccessibleTextRole):

@@ -8,7 +8,6 @@ from PySide6.QtWidgets import (
     QComboBox,
     QFileDialog,
     QHBoxLayout,
-    QLabel,
     QLineEdit,
     QSizePolicy,
     QSplitter,
@@ -21,8 +20,10 @@ from core.archive.entry import KINDS
 from gui.archive.entries_view import EntryTable
 from gui.archive.presenter import ArchivePresenter
 from gui.archive.state import ArchiveState
+from gui.languages.shown import shown
 from gui.widgets.action_bar import ActionBar
 from gui.widgets.findings_view import FindingsView
+from gui.widgets.word_label import WordLabel
 
 if TYPE_CHECKING:
     from gui.archive.history_view import HistoryPlot
@@ -37,7 +38,7 @@ class ArchiveView(QWidget):
         self._state: ArchiveState | None = None
         self._header: tuple[str, ...] = ()
         self.search, self.kind = QLineEdit(), QComboBox()
-        self.status, self.hint = QLabel(), QLabel()
+        self.status, self.hint = WordLabel(), WordLabel()
         self.table = EntryTable()
         self.parameter = QComboBox()
         self.findings = FindingsView()
@@ -136,7 +137,7 @@ class ArchiveView(QWidget):
         if state.parameters != self._parameters:
             self._parameters = state.parameters
             self.parameter.clear()
-            self.parameter.addItems(list(state.parameters))
+            self.parameter.addItems([shown(name) for name in state.parameters])
         if self.parameter.currentIndex() != state.parameter:
             self.parameter.setCurrentIndex(state.parameter)
 
@@ -185,6 +186,7 @@ class ArchiveView(QWidget):
         super().changeEvent(event)
         if event.type() == QEvent.Type.LanguageChange:
             self._retranslate()
+            self._dialog, self._parameters = None, ()
             self.render(self._presenter.state)
 
     def _retranslate(self) -> None:

@@ -1,10 +1,11 @@
 """The table of the comparison, its doubts and its export."""
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QLabel, QStackedWidget, QWidget
+from PySide6.QtWidgets import QStackedWidget, QWidget
 
 from gui.comparison.state import ComparisonState
 from gui.widgets.findings_view import FindingsView
+from gui.widgets.word_label import WordLabel
 
 
 class ComparisonContent(QStackedWidget):
@@ -14,7 +15,7 @@ class ComparisonContent(QStackedWidget):
         super().__init__(parent)
         unit = self.fontMetrics().height()
         self.findings = FindingsView()
-        self._hint = QLabel()
+        self._hint = WordLabel()
         self._hint.setWordWrap(True)
         self._hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._hint.setContentsMargins(3 * unit, unit, 3 * unit, unit)

@@ -16,7 +16,9 @@ from PySide6.QtWidgets import (
 )
 
 from gui.comparison.state import ComparisonState
+from gui.languages.shown import shown
 from gui.widgets.fields import NumberField
+from gui.widgets.word_label import WordLabel
 
 _KEY = Qt.ItemDataRole.UserRole
 
@@ -35,7 +37,7 @@ class ComparisonSide(QWidget):
         super().__init__(parent)
         unit = self.fontMetrics().height()
         self._dialog: QFileDialog | None = None
-        self._hint = QLabel()
+        self._hint = WordLabel()
         self._hint.setWordWrap(True)
         self._hint.setProperty("muted", True)
         self.list = QTreeWidget()
@@ -75,7 +77,7 @@ class ComparisonSide(QWidget):
             item.setData(0, _KEY, row.key)
             item.setFlags(item.flags() | Qt.ItemFlag.ItemIsEditable)
             for column in (0, 1):
-                item.setToolTip(column, f"{row.source}: {row.tells}")
+                item.setToolTip(column, shown(f"{row.source}: {row.tells}"))
             self.list.addTopLevelItem(item)
         self.list.resizeColumnToContents(0)
         blocker.unblock()
@@ -114,6 +116,7 @@ class ComparisonSide(QWidget):
         super().changeEvent(event)
         if event.type() == QEvent.Type.LanguageChange:
             self._retranslate()
+            self._dialog = None
 
     def _retranslate(self) -> None:
         self.list.setHeaderLabels([self.tr("Gyro"), self.tr("File")])

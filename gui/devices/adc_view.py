@@ -22,9 +22,11 @@ from PySide6.QtWidgets import (
 )
 
 from gui.devices.adc import AdcPresenter, AdcState
+from gui.languages.shown import shown
 from gui.widgets.number_text import aligned
 from gui.widgets.states import TableState
 from gui.widgets.table_text import table_text
+from gui.widgets.word_label import WordLabel
 
 _PERIOD_MS = 250
 _EMPTY = TableState("", "", (), ())
@@ -42,7 +44,7 @@ class AdcPanel(QWidget):
         super().__init__(parent)
         self._presenter = presenter
         self._state: AdcState | None = None
-        self._title, self._samples, self._hint = QLabel(), QLabel(), QLabel()
+        self._title, self._samples, self._hint = QLabel(), QLabel(), WordLabel()
         self._samples.setForegroundRole(QPalette.ColorRole.PlaceholderText)
         self._hint.setForegroundRole(QPalette.ColorRole.PlaceholderText)
         self._hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
@@ -181,7 +183,7 @@ class _Model(QAbstractTableModel):
         self, index: QModelIndex | QPersistentModelIndex, role: int = Qt.ItemDataRole.DisplayRole
     ) -> object:
         if role == Qt.ItemDataRole.DisplayRole:
-            return self._shown[index.column()][index.row()]
+            return shown(self._shown[index.column()][index.row()])
         if role == Qt.ItemDataRole.TextAlignmentRole:
             words = index.column() < self.table.words
             side = Qt.AlignmentFlag.AlignLeft if words else Qt.AlignmentFlag.AlignRight
@@ -197,7 +199,7 @@ class _Model(QAbstractTableModel):
         if orientation is Qt.Orientation.Vertical:
             return None
         if role == Qt.ItemDataRole.DisplayRole:
-            return self.table.header[section]
+            return shown(self.table.header[section])
         if role == Qt.ItemDataRole.TextAlignmentRole:
             side = (
                 Qt.AlignmentFlag.AlignLeft

@@ -19,6 +19,8 @@ from core.records.names import NO_NAME
 from gui.devices.presenter import MOST, DevicesPresenter
 from gui.devices.setup import BAUDS, DeviceSetup
 from gui.devices.state import PropertiesState
+from gui.languages.shown import shown
+from gui.widgets.word_label import WordLabel
 
 
 class DevicesView(QWidget):
@@ -38,9 +40,9 @@ class DevicesView(QWidget):
         self._count.valueChanged.connect(presenter.set_count)
         self._headings = [QLabel() for _ in range(4)]
         self._grid = QGridLayout()
-        self._report = QLabel()
+        self._report = WordLabel()
         self._report.setWordWrap(True)
-        self._question = QLabel()
+        self._question = WordLabel()
         self._question.setWordWrap(True)
         self._ask, self._decline = QPushButton(), QPushButton()
         self._ask.clicked.connect(presenter.ask)
@@ -125,7 +127,7 @@ class DevicesView(QWidget):
         self._cancel.setVisible(busy)
         self._count.setEnabled(not busy)
         self._ok.setEnabled(not state.why_not_ok)
-        self._ok.setToolTip(state.why_not_ok)
+        self._ok.setToolTip(shown(state.why_not_ok))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape:
@@ -139,6 +141,9 @@ class DevicesView(QWidget):
         super().changeEvent(event)
         if event.type() == QEvent.Type.LanguageChange:
             self._retranslate()
+            for row in self._rows:
+                row.say_names()
+            self.render(self._presenter.state)
 
     def _retranslate(self) -> None:
         self._title.setText(self.tr("Device Properties"))
@@ -186,12 +191,16 @@ class _Row:
                 line.editingFinished.connect(slot)
         for column, widget in enumerate((self.name, self.port, self.baud, self.profile)):
             grid.addWidget(widget, number + 1, column)
+        self.say_names()
+
+    def say_names(self) -> None:
+        """Name the fields for screen readers, in the language of the window."""
         for widget, name in (
             (self.port, "Port Name"),
             (self.baud, "BaudRate"),
             (self.profile, "Device file"),
         ):
-            widget.setAccessibleName(f"{name} {number + 1}")
+            widget.setAccessibleName(f"{shown(name)} {self._number + 1}")
 
     def set_visible(self, visible: bool) -> None:
         for widget in (self.name, self.port, self.baud, self.profile):
@@ -202,7 +211,7 @@ class _Row:
         self.name.setEnabled(setup.name != NO_NAME)
         line = self.port.lineEdit()
         typed = line.text() if line is not None and line.isModified() else None
-        _fill(self.port, [(port.url, f"{port.url}   {port.text}") for port in state.ports])
+        _fill(self.port, [(port.url, f"{port.url}   {shown(port.text)}") for port in state.ports])
         self.port.setCurrentIndex(self.port.findData(setup.url))
         if line is not None:
             line.setText(setup.url if typed is None else typed)
@@ -210,7 +219,7 @@ class _Row:
             if not line.hasFocus():
                 line.setCursorPosition(0)
         self.baud.setCurrentText(str(setup.baud))
-        _fill(self.profile, [("", "found by Scan"), *state.profiles])
+        _fill(self.profile, [("", shown("found by Scan")), *state.profiles])
         self.profile.setCurrentIndex(max(0, self.profile.findData(setup.profile_id)))
         for box in (self.port, self.baud, self.profile):
             box.setEnabled(not state.busy)

@@ -10,12 +10,14 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QSplitter, QVBox
 
 from core.arrays import FloatArray
 from gui.drift.state import DriftState, KnotsState, PictureState
+from gui.languages.shown import shown
 from gui.widgets.colours import Theme
 from gui.widgets.fields import ChoiceField
 from gui.widgets.legend import DASHES, LINE, Legend, LegendEntry
 from gui.widgets.plot import Plot
 from gui.widgets.theme import current_theme
 from gui.widgets.toggle import Toggle
+from gui.widgets.word_label import WordLabel
 
 _TABLE = 6
 _NEAR_PX = 9.0
@@ -192,7 +194,7 @@ class PlotsView(QWidget):
         self._rendering = False
         unit = self.fontMetrics().height()
         self.choice, self.snap = ChoiceField(), Toggle()
-        self.reading, self.caption, self.legend = QLabel(), QLabel(), Legend()
+        self.reading, self.caption, self.legend = WordLabel(), QLabel(), Legend()
         self.curves = KnotPlot()
         self.residuals = Plot("t, s", "", log_y=True)
         self.residuals.setXLink(self.curves)
@@ -228,14 +230,17 @@ class PlotsView(QWidget):
         column.addWidget(split, 1)
         self.choice.activated.connect(self._on_choice)
         self.snap.toggled.connect(self._on_snap)
+        self._state: DriftState | None = None
         self._retranslate()
 
     def render(self, state: DriftState) -> None:
         """Show a state."""
+        self._state = state
         self._rendering = True
-        if [self.choice.itemText(i) for i in range(self.choice.count())] != [*state.temperatures]:
+        temperatures = [shown(text) for text in state.temperatures]
+        if [self.choice.itemText(i) for i in range(self.choice.count())] != temperatures:
             self.choice.clear()
-            self.choice.addItems(list(state.temperatures))
+            self.choice.addItems(temperatures)
         self.choice.setCurrentIndex(state.shown + 1)
         self.snap.setChecked(state.snap)
         self._rendering = False
@@ -300,6 +305,9 @@ class PlotsView(QWidget):
         super().changeEvent(event)
         if event.type() == QEvent.Type.LanguageChange:
             self._retranslate()
+            if self._state is not None:
+                self._picture = None
+                self.render(self._state)
 
     def _retranslate(self) -> None:
         self.snap.setText(self.tr("Snap to blocks"))

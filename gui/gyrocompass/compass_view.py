@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from core.units import RAD_PER_DEG
 from gui.gyrocompass.state import RoseState
+from gui.languages.shown import shown_number
 from gui.widgets.number_text import value_and_uncertainty
 from gui.widgets.states import Tone
 from gui.widgets.theme import current_theme
@@ -78,7 +79,7 @@ class CompassView(QWidget):
         if not math.isfinite(state.heading_deg):
             return self.tr("Heading: not measured yet")
         half = 0.5 * (state.high_deg - state.low_deg)
-        value, width = value_and_uncertainty(state.heading_deg, half)
+        value, width = map(shown_number, value_and_uncertainty(state.heading_deg, half))
         return self.tr("Heading {value}° ± {half}°").format(value=value, half=width)
 
     def _rose(self, painter: QPainter, middle: QPointF, radius: float, unit: int) -> None:

@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QLabel, QSplitter, QStackedWidget, QVBoxLayout, QW
 
 from gui.gyrocompass.compass_view import CompassView
 from gui.gyrocompass.state import Advice, CompassChoices, CompassState
+from gui.languages.shown import shown_number
 from gui.widgets.number_text import significant
 from gui.widgets.plot import Plot
 
@@ -73,19 +74,21 @@ class CompassContent(QWidget):
         if choices.target_deg > 0:
             level = np.full(2, choices.target_deg)
             ends = np.array([curve.seconds[0], curve.seconds[-1]])
-            words = self.tr("wanted, {target}°").format(target=significant(choices.target_deg, 2))
+            words = self.tr("wanted, {target}°").format(
+                target=shown_number(significant(choices.target_deg, 2))
+            )
             plot.add_curve(ends, level, _ENOUGH, words, dashed=True)
         plot.add_points(
             np.array([choices.average_s]),
             np.array([advice.now_deg]),
             _NOW,
-            self.tr("as set, {u}°").format(u=significant(advice.now_deg, 2)),
+            self.tr("as set, {u}°").format(u=shown_number(significant(advice.now_deg, 2))),
         )
         plot.add_points(
             np.array([curve.best_s]),
             np.array([curve.best_deg]),
             3,
-            self.tr("best, {u}°").format(u=significant(curve.best_deg, 2)),
+            self.tr("best, {u}°").format(u=shown_number(significant(curve.best_deg, 2))),
         )
         plot.show_everything()
 
@@ -102,6 +105,9 @@ class CompassContent(QWidget):
         super().changeEvent(event)
         if event.type() == QEvent.Type.LanguageChange:
             self._retranslate()
+            if self._state is not None:
+                state, self._state = self._state, None
+                self.render(state)
 
     def _retranslate(self) -> None:
         self.missing.setText(

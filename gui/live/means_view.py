@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from gui.languages.shown import shown, shown_number
 from gui.live.means import POSITIONS, RATES, MeansState
 from gui.widgets.fields import ChoiceField
 
@@ -181,7 +182,7 @@ class _Model(QAbstractTableModel):
         if role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.EditRole):
             text = self._state.rows[index.row()][index.column()]
             empty = index.column() == _GIVEN and role == Qt.ItemDataRole.DisplayRole and not text
-            return "…" if empty else text
+            return "…" if empty else shown_number(text)
         if role == Qt.ItemDataRole.TextAlignmentRole:
             return _side(index.column())
         return None
@@ -206,7 +207,7 @@ class _Model(QAbstractTableModel):
         if orientation is Qt.Orientation.Vertical:
             return None
         if role == Qt.ItemDataRole.DisplayRole:
-            return self._state.header[section]
+            return shown(self._state.header[section])
         return _side(section) if role == Qt.ItemDataRole.TextAlignmentRole else None
 
 

@@ -94,6 +94,7 @@ class SettingsView(QWidget):
     def render(self, state: LiveState) -> None:
         """Show a state."""
         self._rendering = True
+        self._state = state
         settings = self._settings = state.settings
         if not self.serial.hasFocus():
             self.serial.setText(settings.serial)
@@ -160,6 +161,8 @@ class SettingsView(QWidget):
         super().changeEvent(event)
         if event.type() == QEvent.Type.LanguageChange:
             self._retranslate()
+            if self._state is not None:
+                self.render(self._state)
 
     def _retranslate(self) -> None:
         self._head.setText(self.tr("Device and Port Settings"))

@@ -5,6 +5,7 @@ import math
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt
 from PySide6.QtWidgets import QHeaderView, QTableView, QWidget
 
+from gui.languages.shown import shown_number
 from gui.live.trace import Trace
 from gui.widgets.number_text import MINUS
 
@@ -98,9 +99,11 @@ class _Samples(QAbstractTableModel):
         span = (self._newest - history.first) // self._decimation * self._decimation
         number = history.first + span - index.row() * self._decimation
         if index.column() == 0:
-            return f"{history.seconds(number):.4f}"
+            return shown_number(f"{history.seconds(number):.4f}")
         value = history.value(self._shown[index.column() - 1], number)
-        return "—" if math.isnan(value) else f"{value:.{_DECIMALS}f}".replace("-", MINUS)
+        if math.isnan(value):
+            return "—"
+        return shown_number(f"{value:.{_DECIMALS}f}".replace("-", MINUS))
 
     def headerData(
         self,

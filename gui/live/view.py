@@ -8,7 +8,6 @@ from PySide6.QtWidgets import (
     QFileDialog,
     QFrame,
     QHBoxLayout,
-    QLabel,
     QLineEdit,
     QPushButton,
     QScrollArea,
@@ -19,6 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from gui.languages.shown import shown
 from gui.live.charts_view import ChartsView
 from gui.live.exporting import PICTURES, Exporting
 from gui.live.means import Means, MeansState
@@ -33,6 +33,7 @@ from gui.widgets.fields import ChoiceField
 from gui.widgets.number_text import grouped
 from gui.widgets.result_table import ResultTable
 from gui.widgets.theme import current_theme
+from gui.widgets.word_label import WordLabel
 
 FRAME_MS = 33
 _SLOW_EVERY = 8
@@ -67,7 +68,7 @@ class LiveView(QWidget):
         self.pages = QTabWidget()
         self.statistics = ResultTable()
         self.action_bar = ActionBar()
-        self.headline, self.status, self.hint = QLabel(), QLabel(), QLabel()
+        self.headline, self.status, self.hint = WordLabel(), WordLabel(), WordLabel()
         self.export_row = QWidget()
         self.format, self.export_name = ChoiceField(), QLineEdit()
         self.export_button = QPushButton()
@@ -114,7 +115,7 @@ class LiveView(QWidget):
         row.addWidget(self.export_button)
         self.export_row.hide()
         for key, title in self._exporting.formats:
-            self.format.addItem(title, key)
+            self.format.addItem(shown(title), key)
         middle = QWidget()
         column = QVBoxLayout(middle)
         column.setContentsMargins(unit // 2, unit // 2, unit // 2, 0)
@@ -245,7 +246,7 @@ class LiveView(QWidget):
             parts.append(self.tr("disk lasts {time}").format(time=status.lasting))
         text = "  ·  ".join(part for part in parts if part)
         self.status.setText(text)
-        self.status.setToolTip(text)
+        self.status.setToolTip(self.status.text())
 
     # --- what the operator does -------------------------------------------------------------------
 
@@ -350,6 +351,8 @@ class LiveView(QWidget):
         self.pages.setTabText(0, self.tr("Charts"))
         self.pages.setTabText(1, self.tr("Table"))
         self.pages.setTabText(2, self.tr("Means"))
+        for place, (_, title) in enumerate(self._exporting.formats):
+            self.format.setItemText(place, shown(title))
         self.export_button.setText(self.tr("Save"))
         self.format.setAccessibleName(self.tr("Format"))
         self.export_name.setAccessibleName(self.tr("File to save"))

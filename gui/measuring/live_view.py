@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from gui.languages.shown import shown_number
 from gui.measuring.state import LiveRow, LiveState
 
 
@@ -52,6 +53,7 @@ class LiveTable(QTableWidget):
         for place, row in enumerate(state.rows):
             for column, text in enumerate(self._texts(row)):
                 item = self.item(place, column)
+                text = shown_number(text)
                 if item is not None and item.text() != text:
                     item.setText(text)
 

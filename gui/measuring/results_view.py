@@ -7,7 +7,6 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
-    QLabel,
     QLineEdit,
     QPushButton,
     QScrollArea,
@@ -17,6 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from core.errors import Note
+from gui.languages.shown import shown
 from gui.measuring.page import CurveState, ResultsPage
 from gui.widgets.fields import ChoiceField
 from gui.widgets.matrix_view import MatrixView
@@ -24,6 +24,7 @@ from gui.widgets.note_line import NoteLine
 from gui.widgets.residual_plot import ResidualPlot
 from gui.widgets.result_table import ResultTable
 from gui.widgets.states import MatrixState, ResidualState, TableState
+from gui.widgets.word_label import WordLabel
 
 
 class ResultsView(QWidget):
@@ -34,12 +35,15 @@ class ResultsView(QWidget):
     export_requested = Signal(str, str)
     """Format and file name."""
     format_chosen = Signal(str)
+    explain_requested = Signal()
+    """The model of the page is to be compared with its rows."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._state: ResultsPage | None = None
+        self._titles: list[str] = []
         unit = self.fontMetrics().height()
-        self._title, self._source = QLabel(), QLabel()
+        self._title, self._source = WordLabel(), WordLabel()
         font = self._title.font()
         font.setBold(True)
         font.setPointSizeF(font.pointSizeF() * 1.3)
@@ -48,12 +52,15 @@ class ResultsView(QWidget):
         self._close.setText("✕")
         self._close.setAutoRaise(True)
         self._close.clicked.connect(self.closed)
+        self.explain = QPushButton()
+        self.explain.clicked.connect(self.explain_requested)
         head = QHBoxLayout()
         head.addWidget(self._title)
         head.addSpacing(unit // 2)
         head.addWidget(self._source, 1)
         self.certificate = QPushButton()
         self.certificate.clicked.connect(self.certificate_requested)
+        head.addWidget(self.explain)
         head.addWidget(self.certificate)
         head.addWidget(self._close)
         self._page = QWidget()
@@ -100,7 +107,8 @@ class ResultsView(QWidget):
     def set_formats(self, formats: tuple[tuple[str, str], ...]) -> None:
         """Offer these formats: keys and titles."""
         for key, title in formats:
-            self._formats.addItem(title, key)
+            self._formats.addItem(shown(title), key)
+        self._titles = [title for _, title in formats]
 
     def show_name(self, key: str, name: str) -> None:
         """Propose a file name for a format."""
@@ -125,6 +133,10 @@ class ResultsView(QWidget):
         self.certificate.setToolTip(self.tr("Make a calibration certificate of these results"))
         self._close.setToolTip(self.tr("Close the results"))
         self._close.setAccessibleName(self._close.toolTip())
+        self.explain.setText(self.tr("Model vs data"))
+        self.explain.setToolTip(self.tr("Compare the model with the rows: find out what it lacks"))
+        for place, title in enumerate(self._titles):
+            self._formats.setItemText(place, shown(title))
         self._formats.setAccessibleName(self.tr("Export format"))
         self._name.setAccessibleName(self.tr("File of the export"))
         self._export.setText(self.tr("Export"))

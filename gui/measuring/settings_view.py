@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from gui.languages.shown import shown
 from gui.measuring.guide import S
 from gui.measuring.state import MeasuringState
 from gui.widgets.fields import ChoiceField, NumberField
@@ -245,7 +246,7 @@ class SettingsForm(Generic[S], QWidget):
 
 def _allow(widget: QWidget, why_not: str) -> None:
     widget.setEnabled(not why_not)
-    widget.setToolTip(why_not)
+    widget.setToolTip(shown(why_not))
 
 
 def _signed(value: float) -> str:

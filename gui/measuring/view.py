@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from gui.languages.shown import shown
 from gui.measuring.live_view import LiveTable
 from gui.measuring.presenter import MeasuringPresenter
 from gui.measuring.results_view import ResultsView
@@ -69,6 +70,7 @@ class MeasuringView(QWidget):
         self._session_label, self._session = QLabel(), QLineEdit()
         self._new = QPushButton()
         self._dialog: QFileDialog | None = None
+        self._plans: tuple[tuple[str, str], ...] = ()
         self._graph_title, self._graph_hint = QLabel(), QLabel()
         self._graph_hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._graph_hint.setForegroundRole(QPalette.ColorRole.PlaceholderText)
@@ -166,17 +168,15 @@ class MeasuringView(QWidget):
         self.action_bar.render(state.actions)
         self._swallow.setEnabled(bool(state.locked.timing))
         self.settings.render(state)
-        plans = [
-            (self._plan.itemData(i), self._plan.itemText(i)) for i in range(self._plan.count())
-        ]
-        if plans != list(state.plans):
+        if self._plans != state.plans:
+            self._plans = state.plans
             self._plan.clear()
             for plan_id, title in state.plans:
-                self._plan.addItem(title, plan_id)
+                self._plan.addItem(shown(title), plan_id)
         self._plan.setCurrentIndex(self._plan.findData(state.settings.plan_id))
         why_not = state.locked.plan or state.locked.timing
         self._plan.setEnabled(not why_not)
-        self._plan.setToolTip(why_not)
+        self._plan.setToolTip(shown(why_not))
         if not self._session.hasFocus():
             self._session.setText(state.session)
             self._session.setCursorPosition(0)
@@ -267,6 +267,9 @@ class MeasuringView(QWidget):
         super().changeEvent(event)
         if event.type() == QEvent.Type.LanguageChange:
             self._retranslate()
+            self._dialog = None
+            self._plans = ()
+            self.render(self._state)
 
     def _retranslate(self) -> None:
         self._plan_label.setText(self.tr("Plan"))
@@ -276,4 +279,4 @@ class MeasuringView(QWidget):
         self._new.setText(self.tr("New session"))
         self._graph_title.setText(self.tr("Main Graph"))
         self._graph_hint.setText(self.tr("The graph begins when samples come."))
-        self.steps.setAccessibleName(self._state.lists)
+        self.steps.setAccessibleName(shown(self._state.lists))

@@ -16,6 +16,7 @@ from gui.rig.dial_view import Dial
 from gui.rig.presenter import RigPresenter, RigView
 from gui.widgets.fields import ChoiceField, NumberField
 from gui.widgets.toggle import Toggle
+from gui.widgets.word_label import WordLabel
 
 MOUNTS = ("X_from", "X_to", "Y_from", "Y_to", "Z_from", "Z_to")
 
@@ -28,7 +29,7 @@ class RigPanel(QWidget):
         self._presenter = presenter
         self.dial = Dial()
         self.dial.turned.connect(presenter.turn)
-        self._words = QLabel()
+        self._words = WordLabel()
         self._words.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._angle = NumberField(-720.0, 720.0, 3, "°")
         self._go = QPushButton()
@@ -60,6 +61,7 @@ class RigPanel(QWidget):
             button.clicked.connect(self._on_fault)
         self._labels = [QLabel() for _ in range(4)]
         self._title = QLabel()
+        self._view: RigView | None = None
         self._retranslate()
         self._build()
         presenter.changed.connect(self.render)
@@ -111,6 +113,7 @@ class RigPanel(QWidget):
 
     def render(self, view: RigView | None) -> None:
         """Show a state."""
+        self._view = view
         if view is None:
             return
         rig = view.rig
@@ -149,6 +152,7 @@ class RigPanel(QWidget):
         super().changeEvent(event)
         if event.type() == QEvent.Type.LanguageChange:
             self._retranslate()
+            self.render(self._view)
 
     def _retranslate(self) -> None:
         self.operator.setText(self.tr("Operator turns it for me"))

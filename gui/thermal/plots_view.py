@@ -12,11 +12,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from gui.languages.shown import shown
 from gui.thermal.state import PlotState, ThermalState
 from gui.widgets.fields import ChoiceField
 from gui.widgets.legend import DASHES, LINE, POINT, Legend, LegendEntry
 from gui.widgets.plot import Plot
 from gui.widgets.theme import current_theme
+from gui.widgets.word_label import WordLabel
 
 
 class PlotsView(QWidget):
@@ -28,6 +30,7 @@ class PlotsView(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._states: tuple[PlotState, ...] = ()
+        self._quantities: tuple[str, ...] = ()
         self._rows: list[tuple[QLabel, Plot]] = []
         unit = self.fontMetrics().height()
         self.choice, self.legend = ChoiceField(), Legend()
@@ -60,9 +63,8 @@ class PlotsView(QWidget):
 
     def render(self, state: ThermalState) -> None:
         """Show a state."""
-        if [self.choice.itemText(i) for i in range(self.choice.count())] != [*state.quantities]:
-            self.choice.clear()
-            self.choice.addItems(list(state.quantities))
+        self._quantities = state.quantities
+        self._name_quantities()
         self.choice.setCurrentIndex(state.quantity)
         if state.plots is self._states:
             return
@@ -78,8 +80,16 @@ class PlotsView(QWidget):
                 title.setText(state.plots[place].title)
         self.legend.set_entries(_legend(state.plots))
 
+    def _name_quantities(self) -> None:
+        names = [shown(name) for name in self._quantities]
+        if [self.choice.itemText(i) for i in range(self.choice.count())] != names:
+            place = self.choice.currentIndex()
+            self.choice.clear()
+            self.choice.addItems(names)
+            self.choice.setCurrentIndex(place)
+
     def _add_row(self) -> None:
-        title, plot = QLabel(), Plot()
+        title, plot = WordLabel(), Plot()
         font = title.font()
         font.setBold(True)
         title.setFont(font)
@@ -120,6 +130,7 @@ class PlotsView(QWidget):
         super().changeEvent(event)
         if event.type() == QEvent.Type.LanguageChange:
             self._retranslate()
+            self._name_quantities()
 
     def _retranslate(self) -> None:
         self.choice.setAccessibleName(self.tr("Quantity"))

@@ -6,6 +6,7 @@ from PySide6.QtCore import QLineF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from gui.languages.shown import shown, shown_number
 from gui.tumble.state import BarsState, HarmonicBar
 from gui.widgets.number_text import significant
 from gui.widgets.states import Tone
@@ -58,7 +59,7 @@ class HarmonicsView(QWidget):
         painter.drawText(
             QRectF(0.6 * unit, 0.3 * unit, size.width(), 1.4 * unit),
             Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter,
-            words.format(unit=self._state.unit),
+            words.format(unit=shown(self._state.unit)),
         )
         low, high = self._range()
         self._ground(painter, plot, low, high)
@@ -128,7 +129,7 @@ class HarmonicsView(QWidget):
             painter.drawText(
                 QRectF(column.left() - unit, top - 1.3 * unit, column.width() + 2 * unit, unit),
                 Qt.AlignmentFlag.AlignCenter,
-                significant(bar.value, 3),
+                shown_number(significant(bar.value, 3)),
             )
 
 

@@ -8,6 +8,7 @@ from PySide6.QtGui import QColor, QPainter, QPainterPath, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from core.units import RAD_PER_DEG
+from gui.languages.shown import shown, shown_number
 from gui.tumble.state import PolarSeries, PolarState
 from gui.widgets.chart_scale import nice_step, tick_text
 from gui.widgets.number_text import significant
@@ -90,7 +91,7 @@ class PolarView(QWidget):
         line = QRectF(0.6 * unit, 0.3 * unit, size.width() - 1.2 * unit, 1.4 * unit)
         middle = Qt.AlignmentFlag.AlignVCenter
         painter.drawText(
-            line, Qt.AlignmentFlag.AlignLeft | middle, words.format(unit=self._state.unit)
+            line, Qt.AlignmentFlag.AlignLeft | middle, words.format(unit=shown(self._state.unit))
         )
         if not 1 < len(self._state.series) <= _MOST_NAMED:
             return 1.9 * unit
@@ -146,7 +147,7 @@ class PolarView(QWidget):
             painter.drawEllipse(middle, ring, ring)
             if zero or abs(number) == count:
                 painter.setPen(QColor(theme.muted))
-                text = "0" if zero else tick_text(number * step, step)
+                text = "0" if zero else shown_number(tick_text(number * step, step))
                 at = middle + _direction(75.0) * ring
                 box = QRectF(at.x() - 4 * unit, at.y() - 0.6 * unit, 8 * unit, 1.2 * unit)
                 width = painter.fontMetrics().horizontalAdvance(text) + 4

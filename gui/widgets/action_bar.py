@@ -1,7 +1,15 @@
 """The one row of actions that every tab has, in the same place and with the same keys."""
 
 from PySide6.QtCore import QEvent, QRect, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QKeySequence, QPaintEvent, QResizeEvent, QShortcut
+from PySide6.QtGui import (
+    QColor,
+    QFont,
+    QFontMetrics,
+    QKeySequence,
+    QPaintEvent,
+    QResizeEvent,
+    QShortcut,
+)
 from PySide6.QtWidgets import (
     QAbstractButton,
     QApplication,
@@ -15,6 +23,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from gui.languages.anchors import anchor
+from gui.languages.shown import shown
 from gui.widgets.states import ActionBarState, ActionItem
 from gui.widgets.theme import current_theme
 from gui.widgets.toggle import Toggle
@@ -35,6 +45,7 @@ class ActionBar(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self._state = ActionBarState(())
         self._places: list[_ActionButton] = []
         self._buttons: dict[str, _ActionButton] = {}
         unit = self.fontMetrics().height()
@@ -52,10 +63,11 @@ class ActionBar(QWidget):
         outer.addWidget(self._hands_free)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
         self._retranslate()
-        self.render(ActionBarState(()))
+        self.render(self._state)
 
     def render(self, state: ActionBarState) -> None:
         """Show these actions."""
+        self._state = state
         while len(self._places) > len(state.items):
             old = self._places.pop()
             self._row.removeWidget(old)
@@ -117,6 +129,7 @@ class ActionBar(QWidget):
         super().changeEvent(event)
         if event.type() == QEvent.Type.LanguageChange:
             self._retranslate()
+            self.render(self._state)
 
     def _retranslate(self) -> None:
         self._hands_free.setText(self.tr("Hands-free"))
@@ -137,6 +150,7 @@ class _ActionButton(QPushButton):
         self._shortcut.setAutoRepeat(False)
         self._shortcut.activated.connect(self._on_key)
         self._hint = ""
+        self._anchor = ""
         self._hint_shown = True
 
     def render(self, item: ActionItem) -> None:
@@ -148,11 +162,14 @@ class _ActionButton(QPushButton):
         sequence = QKeySequence(item.shortcut)
         if sequence != self._shortcut.key():
             self._shortcut.setKey(sequence)
-        self._hint = sequence.toString(QKeySequence.SequenceFormat.NativeText)
-        self.setText(item.text)
+        # As the keys are engraved, in every language.
+        self._hint = sequence.toString(QKeySequence.SequenceFormat.PortableText)
+        words = shown(item.text)
+        self._anchor = anchor(item.text)
+        self.setText(words)
         self.setEnabled(item.enabled)
-        self.setAccessibleName(item.text)
-        tip = item.why_not if not item.enabled and item.why_not else item.text
+        self.setAccessibleName(words)
+        tip = shown(item.why_not) if not item.enabled and item.why_not else item.text
         self.setToolTip(f"{tip} ({self._hint})" if self._hint and item.enabled else tip)
         self.setAccessibleDescription(self.toolTip())
 
@@ -172,7 +189,22 @@ class _ActionButton(QPushButton):
         return self.bare_width() + self._hint_width()
 
     def bare_width(self) -> int:
-        return super().sizeHint().width()
+        width = super().sizeHint().width()
+        if not self._anchor:
+            return width
+        margins = width - self.fontMetrics().horizontalAdvance(self.text())
+        wide = QFontMetrics(self._small()).horizontalAdvance(self._anchor)
+        return max(width, wide + margins)
+
+    def _small(self) -> QFont:
+        """The font of the English label under a translated one."""
+        font = QFont(self.font())
+        font.setBold(False)
+        font.setPointSizeF(0.82 * font.pointSizeF())
+        return font
+
+    def _anchor_height(self) -> int:
+        return round(0.9 * QFontMetrics(self._small()).height()) if self._anchor else 0
 
     def show_hint(self, shown: bool) -> None:
         if shown != self._hint_shown:
@@ -188,15 +220,16 @@ class _ActionButton(QPushButton):
 
     def sizeHint(self) -> QSize:
         size = super().sizeHint()
-        if self._hint_shown:
-            size.setWidth(size.width() + self._hint_width())
+        size.setWidth(self.full_width() if self._hint_shown else self.bare_width())
+        size.setHeight(size.height() + self._anchor_height())
         return size
 
     def minimumSizeHint(self) -> QSize:
         return self.sizeHint()
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        if not self._hint_shown or not self._hint:
+        hint_words = self._hint if self._hint_shown else ""
+        if not hint_words and not self._anchor:
             super().paintEvent(event)
             return
         theme = current_theme()
@@ -205,20 +238,24 @@ class _ActionButton(QPushButton):
         self.initStyleOption(option)
         painter.drawControl(QStyle.ControlElement.CE_PushButtonBevel, option)
         words = self.fontMetrics().horizontalAdvance(self.text())
-        left = (self.width() - words - self._hint_width()) // 2
+        low = self._anchor_height()
+        height = self.height() - low
+        left = (self.width() - words - (self._hint_width() if hint_words else 0)) // 2
         primary = bool(self.property("primary"))
         text, hint = (theme.on_accent,) * 2 if primary else (theme.text, theme.muted)
         if not self.isEnabled():
             text = hint = theme.disabled
         flags = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
         painter.setPen(QColor(text))
-        painter.drawText(QRect(left, 0, words + 2, self.height()), flags, self.text())
+        painter.drawText(QRect(left, 0, words + 2, height), flags, self.text())
         font = self.font()
         font.setBold(False)
         painter.setFont(font)
         painter.setPen(QColor(hint))
         gap = self.fontMetrics().height() // 2
-        painter.drawText(
-            QRect(left + words + gap, 0, self.width(), self.height()), flags, self._hint
-        )
+        painter.drawText(QRect(left + words + gap, 0, self.width(), height), flags, hint_words)
+        if self._anchor:
+            painter.setFont(self._small())
+            foot = QRect(0, height - low // 2, self.width(), low)
+            painter.drawText(foot, Qt.AlignmentFlag.AlignCenter, self._anchor)
         painter.end()

@@ -6,16 +6,17 @@ from dataclasses import dataclass
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import (
     QFileDialog,
-    QLabel,
     QSplitter,
     QStackedWidget,
     QVBoxLayout,
     QWidget,
 )
 
+from gui.languages.shown import shown
 from gui.widgets.action_bar import ActionBar
 from gui.widgets.findings_view import FindingsView
 from gui.widgets.states import ActionBarState, FindingsState
+from gui.widgets.word_label import WordLabel
 
 LOAD = "load"
 EXPORT = "export"
@@ -61,7 +62,7 @@ class AnalysisPage(QWidget):
         super().__init__(parent)
         self._filters = list(filters)
         self._dialog: QFileDialog | None = None
-        self.hint = QLabel()
+        self.hint = WordLabel()
         self.findings = FindingsView()
         self.action_bar = ActionBar()
         unit = self.fontMetrics().height()
@@ -111,7 +112,7 @@ class AnalysisPage(QWidget):
         if self._dialog is None:
             dialog = QFileDialog(self, self.action_bar.button(LOAD).text())
             dialog.setFileMode(QFileDialog.FileMode.ExistingFile)
-            dialog.setNameFilters(self._filters)
+            dialog.setNameFilters([shown(one) for one in self._filters])
             dialog.fileSelected.connect(self.file_chosen)
             self._dialog = dialog
         self._dialog.show()

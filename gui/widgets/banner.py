@@ -4,7 +4,6 @@ from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import (
     QHBoxLayout,
-    QLabel,
     QPushButton,
     QSizePolicy,
     QToolButton,
@@ -12,9 +11,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from gui.languages.shown import shown
 from gui.widgets.icons import paint_severity, tone_of_severity
 from gui.widgets.states import BannerAction, BannerState
 from gui.widgets.theme import current_theme
+from gui.widgets.word_label import WordLabel
 
 
 class Banner(QWidget):
@@ -28,8 +29,8 @@ class Banner(QWidget):
         super().__init__(parent)
         self._state: BannerState | None = None
         unit = self.fontMetrics().height()
-        self._what = QLabel()
-        self._rest = QLabel()
+        self._what = WordLabel()
+        self._rest = WordLabel()
         for label in (self._what, self._rest):
             label.setWordWrap(True)
             label.setTextFormat(Qt.TextFormat.PlainText)
@@ -74,8 +75,8 @@ class Banner(QWidget):
         self._rest.setVisible(bool(rest))
         self._close.setVisible(state.closable)
         self._set_buttons(state.actions)
-        self.setAccessibleName(state.what)
-        self.setAccessibleDescription(rest)
+        self.setAccessibleName(self._what.text())
+        self.setAccessibleDescription(self._rest.text())
         self.update()
 
     def _set_buttons(self, actions: tuple[BannerAction, ...]) -> None:
@@ -84,7 +85,7 @@ class Banner(QWidget):
                 old.hide()
                 old.deleteLater()
         for wanted in actions:
-            button = QPushButton(wanted.text)
+            button = QPushButton(shown(wanted.text))
             button.setProperty("key", wanted.key)
             button.clicked.connect(self._on_button)
             self._buttons.addWidget(button)
@@ -109,6 +110,10 @@ class Banner(QWidget):
             self._retranslate()
 
     def _retranslate(self) -> None:
+        if self._state is not None:
+            self._set_buttons(self._state.actions)
+            self.setAccessibleName(self._what.text())
+            self.setAccessibleDescription(self._rest.text())
         self._close.setAccessibleName(self.tr("Close this message"))
         self._close.setToolTip(self.tr("Close this message"))
 

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from gui.languages.shown import shown_number
 from gui.widgets.icons import paint_tone
 from gui.widgets.number_text import grouped
 from gui.widgets.states import DeviceStripState, LinkMark, Tone
@@ -91,17 +92,15 @@ class DeviceStrip(QWidget):
         baud = f"{state.baud}" if state.baud else ""
         self._port.setText(" ".join(part for part in (state.port, baud) if part))
         self._sign.set_tone(_LINK_TONE[state.link])
-        locale = self.locale()
         link = self._link_text(state.link)
         if state.rate_hz is not None and state.link is LinkMark.STREAMING:
-            link += f"  {locale.toString(state.rate_hz, 'f', 1)} " + self.tr("Hz")
+            link += f"  {shown_number(f'{state.rate_hz:.1f}')} " + self.tr("Hz")
         self._link.setText(link)
         for name, counter in self._counters.items():
             counter.set_value(getattr(state, name))
-        shown = state.temperature_c is not None
-        self._temperature.setVisible(shown)
+        self._temperature.setVisible(state.temperature_c is not None)
         if state.temperature_c is not None:
-            self._temperature.setText(f"{locale.toString(state.temperature_c, 'f', 1)} °C")
+            self._temperature.setText(f"{shown_number(f'{state.temperature_c:.1f}')} °C")
         self.setAccessibleName(f"{self._device.currentText()} {self._port.text()} {link}")
         self._fit()
 

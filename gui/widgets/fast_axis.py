@@ -5,6 +5,7 @@ import math
 import pyqtgraph as pg
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
+from gui.languages.shown import shown_number
 from gui.widgets.chart_scale import nice_step, tick_text
 from gui.widgets.chart_scale import ticks as round_ticks
 from gui.widgets.colours import Theme, blend
@@ -59,12 +60,12 @@ class FastAxis(pg.AxisItem):
     def tickStrings(self, values: list[float], scale: float, spacing: float | None) -> list[str]:
         if not self.logMode:
             step = (spacing or 1.0) * scale
-            return [tick_text(value * scale, step) for value in values]
+            return [shown_number(tick_text(value * scale, step)) for value in values]
         if spacing is not None:
-            return [decade_text(value) for value in values]
+            return [shown_number(decade_text(value)) for value in values]
         # Between the decades only where few of them are seen.
         few = self.range[1] - self.range[0] < FEW_DECADES
-        return [_digit_text(value) if few else "" for value in values]
+        return [shown_number(_digit_text(value)) if few else "" for value in values]
 
 
 FEW_DECADES = 1.5

@@ -24,8 +24,19 @@ class NumberField(QDoubleSpinBox):
         self.setDecimals(decimals)
         self.setRange(low, high)
         self.setSuffix(f" {unit}" if unit else "")
+        self.setGroupSeparatorShown(False)
         self.setKeyboardTracking(False)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+
+    def validate(self, text: str, place: int) -> object:
+        return super().validate(self._with_mark(text), place)
+
+    def valueFromText(self, text: str) -> float:
+        return super().valueFromText(self._with_mark(text))
+
+    def _with_mark(self, text: str) -> str:
+        """Point and comma are both decimal marks, in every language."""
+        return text.replace(",", ".").replace(".", self.locale().decimalPoint())
 
     def event(self, event: QEvent) -> bool:
         if _is_space(event):

@@ -5,7 +5,6 @@ from PySide6.QtWidgets import (
     QComboBox,
     QFrame,
     QHBoxLayout,
-    QLabel,
     QLineEdit,
     QPushButton,
     QScrollArea,
@@ -13,9 +12,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from gui.languages.shown import shown
 from gui.widgets.note_line import NoteLine
 from gui.widgets.result_table import ResultTable
 from gui.widgets.states import FindingsState
+from gui.widgets.word_label import WordLabel
 
 
 class FindingsView(QWidget):
@@ -29,9 +30,10 @@ class FindingsView(QWidget):
         super().__init__(parent)
         self._state: FindingsState | None = None
         self._tables: list[ResultTable] = []
+        self._titles: list[str] = []
         self._notes: list[NoteLine] = []
         unit = self.fontMetrics().height()
-        self._title, self._source = QLabel(), QLabel()
+        self._title, self._source = WordLabel(), WordLabel()
         font = self._title.font()
         font.setBold(True)
         font.setPointSizeF(font.pointSizeF() * 1.2)
@@ -107,7 +109,8 @@ class FindingsView(QWidget):
     def set_formats(self, formats: tuple[tuple[str, str], ...]) -> None:
         """Offer these formats: keys and titles."""
         for key, title in formats:
-            self._formats.addItem(title, key)
+            self._formats.addItem(shown(title), key)
+        self._titles = [title for _, title in formats]
 
     @property
     def chosen_format(self) -> str:
@@ -131,6 +134,8 @@ class FindingsView(QWidget):
             self._retranslate()
 
     def _retranslate(self) -> None:
+        for place, title in enumerate(self._titles):
+            self._formats.setItemText(place, shown(title))
         self._formats.setAccessibleName(self.tr("Export format"))
         self._name.setAccessibleName(self.tr("File of the export"))
         self._export.setText(self.tr("Export"))

@@ -6,6 +6,7 @@ from html import escape
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtWidgets import QLabel, QWidget
 
+from gui.languages.shown import shown
 from gui.widgets.theme import current_theme
 
 LINE, DASHES, POINT = "━", "╌", "●"
@@ -47,12 +48,13 @@ class Legend(QLabel):
         self.setText(
             "&nbsp;&nbsp; ".join(
                 f'<span style="color:{colours[one.colour % len(colours)]}">{one.mark}</span>'
-                f"&nbsp;{escape(one.name).replace(' ', '&nbsp;')}"
+                f"&nbsp;{escape(shown(one.name)).replace(' ', '&nbsp;')}"
                 for one in self._entries
             )
         )
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange and hasattr(self, "_entries"):
+        other = event.type() in (QEvent.Type.PaletteChange, QEvent.Type.LanguageChange)
+        if other and hasattr(self, "_entries"):
             self._wear()

@@ -17,7 +17,6 @@ from PySide6.QtWidgets import (
     QAbstractItemView,
     QHBoxLayout,
     QHeaderView,
-    QLabel,
     QSizePolicy,
     QTableView,
     QToolButton,
@@ -26,9 +25,11 @@ from PySide6.QtWidgets import (
 )
 
 from core.errors import Severity
+from gui.languages.shown import shown
 from gui.widgets.icons import paint_severity, tone_of_severity
 from gui.widgets.states import LogEntry
 from gui.widgets.theme import current_theme
+from gui.widgets.word_label import WordLabel
 
 KEPT = 2000
 """Entries on the screen; the log file of the session has all of them."""
@@ -43,7 +44,7 @@ class LogDrawer(QWidget):
         super().__init__(parent)
         unit = self.fontMetrics().height()
         self._model = _Entries(self)
-        self._newest = QLabel()
+        self._newest = WordLabel()
         self._newest.setTextFormat(Qt.TextFormat.PlainText)
         self._newest.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self._button = QToolButton()
@@ -70,7 +71,7 @@ class LogDrawer(QWidget):
         """Add an event."""
         self._model.append(entry)
         self._newest.setText(f"{entry.at:%H:%M:%S}  {entry.text}")
-        self._newest.setToolTip(entry.text)
+        self._newest.setToolTip(shown(entry.text))
 
     def set_open(self, opened: bool) -> None:
         """Open or close the list."""
@@ -120,13 +121,13 @@ class _Entries(QAbstractTableModel):
     ) -> object:
         entry = self.entries[index.row()]
         if role == Qt.ItemDataRole.DisplayRole:
-            return (f"{entry.at:%H:%M:%S}", entry.source, entry.text)[index.column()]
+            return (f"{entry.at:%H:%M:%S}", shown(entry.source), shown(entry.text))[index.column()]
         if role == Qt.ItemDataRole.DecorationRole and index.column() == 0:
             return _sign(entry.severity)
         if role == Qt.ItemDataRole.ToolTipRole:
-            return entry.text
+            return shown(entry.text)
         if role == Qt.ItemDataRole.AccessibleTextRole:
-            return f"{entry.severity.value}, {entry.at:%H:%M:%S}, {entry.text}"
+            return f"{entry.severity.value}, {entry.at:%H:%M:%S}, {shown(entry.text)}"
         return None
 
 

@@ -14,6 +14,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from gui.languages.shown import shown, shown_number
 from gui.widgets.states import MatrixState, TableState
 from gui.widgets.table_text import table_text
 from gui.widgets.theme import current_theme
@@ -48,7 +49,7 @@ class MatrixView(QWidget):
         """Width and height of a cell."""
         value, small = (QFontMetricsF(font) for font in self._fonts())
         widths = [
-            max(value.horizontalAdvance(text), small.horizontalAdvance(f"± {u}"))
+            max(value.horizontalAdvance(text), small.horizontalAdvance(f"± {shown_number(u)}"))
             for row in self._state.cells
             for text, u in row
         ]
@@ -106,16 +107,16 @@ class MatrixView(QWidget):
         painter.setPen(QColor(theme.muted))
         for column, name in enumerate(self._state.columns):
             place = QRectF(inner.left() + column * width, 0, width, top)
-            painter.drawText(place, Qt.AlignmentFlag.AlignCenter, name)
+            painter.drawText(place, Qt.AlignmentFlag.AlignCenter, shown(name))
         painter.drawText(
             QRectF(inner.right() + small.height(), inner.top(), self.width(), inner.height()),
             Qt.AlignmentFlag.AlignLeft | middle,
-            self._state.equation,
+            shown(self._state.equation),
         )
         painter.drawText(
             QRectF(inner.left(), inner.bottom() + 2, inner.width(), 1.2 * small.height()),
             Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop,
-            self._state.unit,
+            shown(self._state.unit),
         )
         painter.setFont(value_font)
         painter.setPen(QColor(theme.text))
@@ -158,10 +159,12 @@ class MatrixView(QWidget):
         painter.setFont(value_font)
         painter.setPen(QColor(theme.text))
         painter.drawText(
-            QRectF(cell.left(), top, cell.width(), high), Qt.AlignmentFlag.AlignCenter, text
+            QRectF(cell.left(), top, cell.width(), high),
+            Qt.AlignmentFlag.AlignCenter,
+            shown_number(text),
         )
         if u:
             painter.setFont(small_font)
             painter.setPen(QColor(theme.muted))
             place = QRectF(cell.left(), top + high, cell.width(), low)
-            painter.drawText(place, Qt.AlignmentFlag.AlignCenter, f"± {u}")
+            painter.drawText(place, Qt.AlignmentFlag.AlignCenter, f"± {shown_number(u)}")

@@ -2,11 +2,12 @@
 
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QPainter, QPaintEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from core.errors import Note
 from gui.widgets.icons import paint_severity, tone_of_severity
 from gui.widgets.theme import current_theme
+from gui.widgets.word_label import WordLabel
 
 
 class NoteLine(QWidget):
@@ -17,7 +18,7 @@ class NoteLine(QWidget):
         self._note = note
         unit = self.fontMetrics().height()
         words = note.text[:1].upper() + note.text[1:]
-        text = QLabel(words if words[-1:] in ".!?" else f"{words}.")
+        text = WordLabel(words if words[-1:] in ".!?" else f"{words}.")
         text.setWordWrap(True)
         text.setTextFormat(Qt.TextFormat.PlainText)
         text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)

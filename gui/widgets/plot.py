@@ -15,6 +15,7 @@ from PySide6.QtGui import QColor, QKeyEvent, QPainter, QPen
 from PySide6.QtWidgets import QWidget
 
 from core.arrays import FloatArray
+from gui.languages.shown import shown
 from gui.widgets.colours import Theme, blend
 from gui.widgets.fast_axis import FastAxis
 from gui.widgets.theme import current_theme
@@ -67,9 +68,9 @@ class Plot(pg.PlotWidget):
         """Write what the axes hold."""
         colour = current_theme().muted
         self._labels = (x_label, y_label)
-        self._plot.setLabel("bottom", x_label, color=colour)
-        self._plot.setLabel("left", y_label, color=colour)
-        self.setAccessibleName(f"{y_label} / {x_label}")
+        self._plot.setLabel("bottom", shown(x_label), color=colour)
+        self._plot.setLabel("left", shown(y_label), color=colour)
+        self.setAccessibleName(f"{shown(y_label)} / {shown(x_label)}")
 
     def add_curve(
         self, x: FloatArray, y: FloatArray, colour: int, name: str = "", *, dashed: bool = False
@@ -120,7 +121,7 @@ class Plot(pg.PlotWidget):
 
     def add_text(self, x: float, y: float, text: str) -> None:
         """Write a note at a point."""
-        item = pg.TextItem(text, anchor=(0, 1))
+        item = pg.TextItem(shown(text), anchor=(0, 1))
         px, py = self._placed(np.array([x]), np.array([y]))
         item.setPos(float(px[0]), float(py[0]))
         self._add(item, lambda theme: item.setColor(theme.text))
@@ -168,6 +169,8 @@ class Plot(pg.PlotWidget):
         built = getattr(self, "_legend", None) is not None and self.getPlotItem() is not None
         if built and event.type() == QEvent.Type.PaletteChange:
             self._wear(current_theme())
+        elif built and event.type() == QEvent.Type.LanguageChange:
+            self.set_labels(*self._labels)
 
     def _placed(self, x: FloatArray, y: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Coordinates in the plane of the plot; NaN for what a logarithmic axis cannot show."""
@@ -193,7 +196,7 @@ class Plot(pg.PlotWidget):
         metrics = painter.fontMetrics()
         unit = metrics.height()
         area = self._plot.getViewBox().sceneBoundingRect()
-        longest = max((metrics.horizontalAdvance(e.name) for e in self._legend), default=0)
+        longest = max((metrics.horizontalAdvance(shown(e.name)) for e in self._legend), default=0)
         left = area.right() - longest - 3.2 * unit
         for row, entry in enumerate(self._legend):
             y = area.top() + (1.0 + 1.25 * row) * unit
@@ -206,7 +209,7 @@ class Plot(pg.PlotWidget):
             painter.drawText(
                 QRectF(left + 2.2 * unit, y - unit, longest + unit, 2 * unit),
                 Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter,
-                entry.name,
+                shown(entry.name),
             )
 
     def _wear(self, theme: Theme) -> None:

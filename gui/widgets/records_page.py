@@ -7,7 +7,6 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtWidgets import (
     QFileDialog,
     QFrame,
-    QLabel,
     QListWidget,
     QListWidgetItem,
     QScrollArea,
@@ -17,9 +16,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from gui.languages.shown import shown
 from gui.widgets.action_bar import ActionBar
 from gui.widgets.findings_view import FindingsView
 from gui.widgets.states import ActionBarState, FindingsState
+from gui.widgets.word_label import WordLabel
 
 ADD, FOLDER, EXPORT = "add", "folder", "export"
 
@@ -85,9 +86,10 @@ class RecordsPage(QWidget):
         self._rendering = False
         self._rows: tuple[ListRow, ...] = ()
         self._dialogs: dict[str, QFileDialog] = {}
+        self._state: RecordsState | None = None
         self._content: QWidget | None = None
         self.list = QListWidget()
-        self.hint = QLabel()
+        self.hint = WordLabel()
         self.findings = FindingsView()
         self.action_bar = ActionBar()
         self._middle = QStackedWidget()
@@ -150,6 +152,7 @@ class RecordsPage(QWidget):
 
     def render(self, state: RecordsState) -> None:
         """Show a state."""
+        self._state = state
         self._rendering = True
         self._render_rows(state)
         self._rendering = False
@@ -169,8 +172,10 @@ class RecordsPage(QWidget):
         if state.rows != self._rows:
             self.list.clear()
             for row in state.rows:
-                item = QListWidgetItem(f"{row.title}\n{row.trouble or row.detail}")
-                item.setToolTip(row.trouble or f"{row.title}\n{row.detail}")
+                words = f"{shown(row.title)}\n{shown(row.detail)}"
+                trouble = shown(row.trouble)
+                item = QListWidgetItem(f"{shown(row.title)}\n{trouble}" if trouble else words)
+                item.setToolTip(trouble or words)
                 self.list.addItem(item)
             self._rows = state.rows
         keys = [row.key for row in state.rows]
@@ -196,7 +201,7 @@ class RecordsPage(QWidget):
                 dialog.setFileMode(QFileDialog.FileMode.Directory)
             else:
                 dialog.setFileMode(QFileDialog.FileMode.ExistingFiles)
-                dialog.setNameFilters(self._filters)
+                dialog.setNameFilters([shown(one) for one in self._filters])
             dialog.filesSelected.connect(self.paths_chosen)
             self._dialogs[key] = dialog
         self._dialogs[key].show()
@@ -208,3 +213,7 @@ class RecordsPage(QWidget):
 
     def _retranslate(self) -> None:
         self.list.setAccessibleName(self.tr("Records"))
+        self._dialogs = {}
+        if self._state is not None:
+            self._rows = ()
+            self.render(self._state)

@@ -6,6 +6,7 @@ from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QHelpEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
+from gui.languages.shown import shown, shown_number
 from gui.widgets.chart_scale import nice_step, tick_text, ticks
 from gui.widgets.number_text import significant
 from gui.widgets.states import ResidualSeries, ResidualState, Tone
@@ -66,7 +67,7 @@ class ResidualPlot(QWidget):
             painter.drawText(
                 QRectF(group.left() - each, plot.bottom() + 3, 3 * each, unit),
                 Qt.AlignmentFlag.AlignCenter,
-                label,
+                shown(label),
             )
             self._group(painter, group, number, scale)
         painter.setPen(QColor(theme.muted))
@@ -96,7 +97,7 @@ class ResidualPlot(QWidget):
             painter.drawText(
                 QRectF(0, y - unit, plot.left() - 5, 2 * unit),
                 Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter,
-                tick_text(value, step),
+                shown_number(tick_text(value, step)),
             )
         painter.setPen(QColor(theme.line))
         painter.drawRect(plot)
@@ -119,7 +120,7 @@ class ResidualPlot(QWidget):
             )
             x += metrics.horizontalAdvance(series.name) + 1.2 * unit
         painter.setPen(QColor(theme.muted))
-        note = self.tr("residual, {unit}; band: ±U (95 %)").format(unit=self._state.unit)
+        note = self.tr("residual, {unit}; band: ±U (95 %)").format(unit=shown(self._state.unit))
         painter.drawText(place, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, note)
 
     def _group(self, painter: QPainter, group: QRectF, number: int, scale: float) -> None:

@@ -13,7 +13,6 @@ from PySide6.QtGui import QAction, QGuiApplication, QKeyEvent, QKeySequence, QPa
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
-    QLabel,
     QMenu,
     QSizePolicy,
     QTableView,
@@ -21,9 +20,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from gui.languages.shown import shown
 from gui.widgets.number_text import MINUS, aligned
 from gui.widgets.states import TableState
 from gui.widgets.table_text import table_text
+from gui.widgets.word_label import WordLabel
 
 _NUMBER_STARTS = "0123456789(∞\N{EM DASH}" + MINUS
 """What stands first in a column of numbers; others, a unit or a note, are set flush left."""
@@ -39,11 +40,11 @@ class ResultTable(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._title = QLabel()
+        self._title = WordLabel()
         font = self._title.font()
         font.setBold(True)
         self._title.setFont(font)
-        self._equation = QLabel()
+        self._equation = WordLabel()
         self._equation.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._equation.setForegroundRole(QPalette.ColorRole.PlaceholderText)
         self._equation.setWordWrap(True)
@@ -67,8 +68,8 @@ class ResultTable(QWidget):
         self._equation.setText(table.equation)
         self._equation.setVisible(bool(table.equation))
         self._view.show_table(table)
-        self.setAccessibleName(table.title)
-        self.setAccessibleDescription(table.equation)
+        self.setAccessibleName(shown(table.title))
+        self.setAccessibleDescription(shown(table.equation))
         self.updateGeometry()
 
     def copy(self, *, separator: str = "\t", decimal: str = ".") -> None:
@@ -102,9 +103,9 @@ class _Model(QAbstractTableModel):
         self, index: QModelIndex | QPersistentModelIndex, role: int = Qt.ItemDataRole.DisplayRole
     ) -> object:
         if role == Qt.ItemDataRole.DisplayRole:
-            return self._shown[index.column()][index.row()]
+            return shown(self._shown[index.column()][index.row()])
         if role in (Qt.ItemDataRole.AccessibleTextRole, Qt.ItemDataRole.ToolTipRole):
-            return self.table.rows[index.row()][index.column()]
+            return shown(self.table.rows[index.row()][index.column()])
         if role == Qt.ItemDataRole.TextAlignmentRole:
             return self._alignment(index.column())
         return None
@@ -118,7 +119,7 @@ class _Model(QAbstractTableModel):
         if orientation is Qt.Orientation.Vertical:
             return None
         if role == Qt.ItemDataRole.DisplayRole:
-            return self.table.header[section]
+            return shown(self.table.header[section])
         if role == Qt.ItemDataRole.TextAlignmentRole:
             return self._alignment(section)
         return None
@@ -218,6 +219,7 @@ class _View(QTableView):
             self._retranslate()
 
     def _retranslate(self) -> None:
+        self._model.replace(self._model.table)
         self._copy.setText(self.tr("Copy"))
         self._copy_csv.setText(self.tr("Copy as CSV (1.5, …)"))
         self._copy_comma.setText(self.tr("Copy as CSV (1,5; …)"))

@@ -12,11 +12,13 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
+from gui.languages.shown import shown
 from gui.widgets.icons import paint_tone
 from gui.widgets.position_picture import PositionPicture
 from gui.widgets.progress_ring import ProgressRing
 from gui.widgets.states import StageState, Tone
 from gui.widgets.theme import current_theme
+from gui.widgets.word_label import WordLabel
 
 LEAST_PX = 48
 """Height of the headline in device-independent pixels that is still read from 3 m."""
@@ -35,7 +37,7 @@ class Stage(QWidget):
         self._state = StageState("")
         self._picture = PositionPicture()
         self._headline = _Headline()
-        self._detail = QLabel()
+        self._detail = WordLabel()
         self._detail.setWordWrap(True)
         self._detail.setTextFormat(Qt.TextFormat.PlainText)
         self._ring = ProgressRing()
@@ -77,15 +79,15 @@ class Stage(QWidget):
         self._state = state
         self._picture.set_pose(state.pose)
         self._picture.setVisible(state.pose is not None)
-        self._headline.set_text(state.headline, state.tone)
+        self._headline.set_text(shown(state.headline), state.tone)
         self._detail.setText(state.detail)
         self._detail.setVisible(bool(state.detail))
         self._ring.setVisible(state.progress is not None)
         if state.progress is not None:
             self._ring.set_progress(state.progress, state.remaining_s)
         self._next.render(state)
-        self.setAccessibleName(state.headline)
-        self.setAccessibleDescription(state.detail)
+        self.setAccessibleName(shown(state.headline))
+        self.setAccessibleDescription(shown(state.detail))
         self.update()
         self.rendered.emit(state)
 
@@ -96,6 +98,8 @@ class Stage(QWidget):
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
+        if event.type() == QEvent.Type.LanguageChange:
+            self.render(self._state)
         if event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange):
             # A new style sheet gives the label its plain font after this event.
             QTimer.singleShot(0, self, self._size_detail)
@@ -203,7 +207,7 @@ class _Next(QWidget):
         super().__init__()
         self._picture = PositionPicture()
         self._caption = QLabel()
-        self._label = QLabel()
+        self._label = WordLabel()
         layout = QGridLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setVerticalSpacing(0)

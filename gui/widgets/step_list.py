@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from gui.languages.shown import shown
 from gui.widgets.icons import paint_mark, tone_of_mark
 from gui.widgets.position_picture import describe, paint_pose
 from gui.widgets.states import StepMark, StepState
@@ -111,11 +112,17 @@ class _Steps(QAbstractListModel):
     ) -> object:
         step = self._steps[index.row()]
         if role == Qt.ItemDataRole.DisplayRole:
-            return step.label
+            return shown(step.label)
         if role == Qt.ItemDataRole.AccessibleTextRole:
-            return f"{step.group} {step.label}, {step.mark.value}, {step.values}"
+            return ", ".join(
+                shown(part) for part in (step.group, step.label, step.mark.value, step.values)
+            )
         if role == Qt.ItemDataRole.ToolTipRole:
-            lines = [step.label, step.values, describe(step.pose) if step.pose else ""]
+            lines = [
+                shown(step.label),
+                shown(step.values),
+                describe(step.pose) if step.pose else "",
+            ]
             return "\n".join(line for line in lines if line)
         return None
 
@@ -173,7 +180,7 @@ class _StepDelegate(QStyledItemDelegate):
             painter.drawText(
                 head.adjusted(unit * 0.6, 0, 0, -unit * 0.25),
                 Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignBottom,
-                step.group,
+                shown(step.group),
             )
         self._background(painter, rect, option, step)
         tone = tone_of_mark(step.mark)
@@ -222,11 +229,11 @@ class _StepDelegate(QStyledItemDelegate):
             rect.setRight(rect.right() - metrics.horizontalAdvance(count) - 0.4 * unit)
         bold = QFont(font)
         bold.setBold(step.mark is StepMark.NOW)
-        lines = [(step.label, bold, theme.text)]
+        lines = [(shown(step.label), bold, theme.text)]
         if step.values:
             tone = theme.tones[tone_of_mark(step.mark)]
             lines.append(
-                (step.values, font, tone if step.mark is StepMark.PROBLEM else theme.muted)
+                (shown(step.values), font, tone if step.mark is StepMark.PROBLEM else theme.muted)
             )
         top = rect.center().y() - 0.55 * unit * len(lines)
         for number, (text, face, colour) in enumerate(lines):

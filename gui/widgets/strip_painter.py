@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 
+from gui.languages.shown import shown, shown_number
 from gui.widgets.chart_scale import nice_step, tick_text, ticks, time_step, time_text
 from gui.widgets.colours import Theme
 from gui.widgets.history import History
@@ -115,7 +116,7 @@ def paint_ground(
                 painter.drawText(
                     place,
                     Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter,
-                    tick_text(value, value_step),
+                    shown_number(tick_text(value, value_step)),
                 )
     _paint_times(painter, layout, view, times, step)
 
@@ -128,7 +129,7 @@ def _paint_times(
     centre = Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop
     for time in times:
         x = layout.x_of(view, time)
-        text = time_text(time, step, view.stop)
+        text = shown_number(time_text(time, step, view.stop))
         half = metrics.horizontalAdvance(text)
         painter.drawText(QRectF(x - half, top + 2, 2 * half, layout.bottom), centre, text)
     unit = "s" if view.stop < 120.0 else "min:s" if view.stop < 3600.0 else "h:min:s"
@@ -222,7 +223,7 @@ def paint_cursor(
     painter.setPen(QPen(colour, 1))
     painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()))
     step = nice_step((view.stop - view.start) / max(1.0, area.width()), 1)
-    text = f"{label} {time_text(at, step, view.stop)}".strip()
+    text = shown_number(f"{label} {time_text(at, step, view.stop)}".strip())
     metrics = painter.fontMetrics()
     width = metrics.horizontalAdvance(text) + 8
     tag = QRectF(0, area.bottom() + 2, width, metrics.height() + 1)
@@ -257,12 +258,13 @@ def paint_column(
         place.translate(0, metrics.height() * 1.05)
         if place.bottom() > plot.bottom() + 2:
             return
+        words = shown(label)
         painter.setPen(QColor(theme.muted))
-        painter.drawText(place, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, label)
+        painter.drawText(place, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, words)
         painter.setPen(QColor(theme.text))
-        offset = metrics.horizontalAdvance(label + " ") if label else 0
+        offset = metrics.horizontalAdvance(words + " ") if words else 0
         painter.drawText(
             place.adjusted(offset, 0, 0, 0),
             Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter,
-            value,
+            shown_number(value),
         )

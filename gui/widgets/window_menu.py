@@ -7,6 +7,9 @@ from PySide6.QtCore import QEvent, Signal
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QMenu, QTabWidget, QWidget
 
+from gui.languages.choice import LANGUAGES, SYSTEM
+from gui.languages.shown import shown
+
 LOOKS = ("light", "dark", "system")
 VOLUMES = {"off": 0.0, "quiet": 0.25, "normal": 0.6, "loud": 1.0}
 """Loudness of the sounds by the name of its step."""
@@ -22,19 +25,26 @@ class WindowMenu(QMenu):
     """
 
     look_chosen = Signal(str)
+    language_chosen = Signal(str)
     volume_chosen = Signal(float)
 
     def __init__(self, tabs: QTabWidget, parent: QWidget) -> None:
         super().__init__(parent)
         self._tabs = tabs
         self.go_to, self.look, self.sounds, self.help = (QMenu(self) for _ in range(4))
+        self.language = QMenu(self)
         self.distance, self.preferences = QAction(self), QAction(self)
         self.keys, self.tour = QAction(self), QAction(self)
         self._next, self._before = QAction(self), QAction(self)
         self._places: list[QAction] = []
         self.looks = {name: QAction(self, checkable=True) for name in LOOKS}
         self.volumes = {name: QAction(self, checkable=True) for name in VOLUMES}
-        self._groups = (QActionGroup(self), QActionGroup(self))
+        self.languages = {
+            code: QAction(LANGUAGES.get(code, ""), self, checkable=True)
+            for code in (SYSTEM, *LANGUAGES)
+        }
+        self._titles: tuple[str, ...] = ()
+        self._groups = (QActionGroup(self), QActionGroup(self), QActionGroup(self))
         self._build()
         self._retranslate()
 
@@ -54,6 +64,7 @@ class WindowMenu(QMenu):
         for group, menu, actions in (
             (self._groups[0], self.look, self.looks),
             (self._groups[1], self.sounds, self.volumes),
+            (self._groups[2], self.language, self.languages),
         ):
             for name, action in actions.items():
                 action.setData(name)
@@ -63,12 +74,14 @@ class WindowMenu(QMenu):
         self._groups[1].triggered.connect(
             lambda action: self.volume_chosen.emit(VOLUMES[action.data()])
         )
+        self._groups[2].triggered.connect(lambda action: self.language_chosen.emit(action.data()))
         self.help.addActions([self.keys, self.tour])
         self.addMenu(self.go_to)
         self.addAction(self.distance)
         self.addSeparator()
         self.addMenu(self.look)
         self.addMenu(self.sounds)
+        self.addMenu(self.language)
         self.docks = self.addSeparator()
         """What shows and hides the docks stands before this line."""
         self.addAction(self.preferences)
@@ -76,13 +89,14 @@ class WindowMenu(QMenu):
 
     def put_tabs(self, titles: Sequence[str]) -> None:
         """Lead to these tabs: the first nine by Ctrl and their digit, the tenth by Ctrl+0."""
+        self._titles = tuple(titles)
         for old in self._places:
             self.go_to.removeAction(old)
             old.deleteLater()
         self._places = []
         before = self.go_to.actions()[0]
         for place, title in enumerate(titles):
-            action = QAction(title, self)
+            action = QAction(shown(title), self)
             if place < _DIGITS:
                 action.setShortcut(QKeySequence(f"Ctrl+{(place + 1) % _DIGITS}"))
             action.triggered.connect(self._on_place)
@@ -92,6 +106,10 @@ class WindowMenu(QMenu):
     def show_look(self, look: str) -> None:
         """Mark the look that is worn."""
         self.looks[look].setChecked(True)
+
+    def show_language(self, choice: str) -> None:
+        """Mark the language that was chosen."""
+        self.languages[choice].setChecked(True)
 
     def show_volume(self, volume: float) -> None:
         """Mark the step nearest to a loudness."""
@@ -135,3 +153,9 @@ class WindowMenu(QMenu):
             action.setText(looks[name])
         for name, action in self.volumes.items():
             action.setText(volumes[name])
+        # The word that finds it again stands beside it in English.
+        own = self.tr("Language")
+        self.language.setTitle(own if own == "Language" else f"{own} (Language)")
+        self.languages[SYSTEM].setText(self.tr("As the system"))
+        for action, title in zip(self._places, self._titles, strict=True):
+            action.setText(shown(title))
