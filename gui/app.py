@@ -16,6 +16,8 @@ from PySide6.QtWidgets import QApplication, QWidget
 from core.errors import FormatError, LabError, Severity
 from gui.garbage import Collector
 from gui.jobs import Jobs
+from gui.languages.choice import SYSTEM, Languages
+from gui.languages.shown import shown
 from gui.main_window import MainWindow, Tab, TabModule
 from gui.messages import Messages
 from gui.settings import Settings, number_of, text_of
@@ -90,12 +92,14 @@ class Application(QObject):
         self.tabs: dict[str, Tab] = {}
         self._made = False
         self._rig_panel: QWidget | None = None
-        look = text_of(self.settings.section("window"), "look", "system")
+        section = self.settings.section("window")
+        look = text_of(section, "look", "system")
         self._look = look if look in LOOKS else "system"
         apply_theme(qt, self._look)
+        self.languages = Languages(text_of(section, "language", SYSTEM), self)
         self.window = MainWindow(self.messages)
         for title in TABS:
-            self.window.tabs.addTab(QWidget(), title)
+            self.window.tabs.addTab(QWidget(), shown(title))
         self.window.menu.put_tabs(tuple(TABS))
         self._restore()
 
@@ -202,10 +206,13 @@ class Application(QObject):
         self.sounds.set_volume(number_of(section, "volume", VOLUMES["normal"], 0.0, 1.0))
         menu.show_volume(self.sounds.volume)
         menu.look_chosen.connect(self._on_look)
+        menu.show_language(self.languages.choice)
+        menu.language_chosen.connect(self._on_language)
         menu.volume_chosen.connect(self._on_volume)
         self.window.closing.connect(self.close)
-        if self.settings.doubt:
-            self.messages.log(Severity.WARNING, self.settings.doubt)
+        for doubt in (self.settings.doubt, self.languages.doubt):
+            if doubt:
+                self.messages.log(Severity.WARNING, doubt)
 
     def _after_paint(self) -> None:
         for tab in self.tabs.values():
@@ -230,7 +237,12 @@ class Application(QObject):
         geometry = bytes(self.window.saveGeometry().toHex().data()).decode()
         self.settings.store(
             "window",
-            {"look": self._look, "volume": self.sounds.volume, "geometry": geometry},
+            {
+                "look": self._look,
+                "volume": self.sounds.volume,
+                "geometry": geometry,
+                "language": self.languages.choice,
+            },
         )
         try:
             self.settings.save()
@@ -260,8 +272,7 @@ class Application(QObject):
 
     def _wanted(self) -> "tuple[Plan, Step] | None":
         widget = self.window.tabs.currentWidget()
-        shown = (tab for tab in self.tabs.values() if tab.widget is widget)
-        tab = next(shown, None)
+        tab = next((tab for tab in self.tabs.values() if tab.widget is widget), None)
         return None if tab is None else tab.wanted()
 
     def _on_port(self) -> None:
@@ -293,6 +304,11 @@ class Application(QObject):
         self._look = look
         self.window.menu.show_look(look)
         apply_theme(self._qt, look)
+
+    def _on_language(self, choice: str) -> None:
+        """Speak another language; what paints its words itself is painted once Qt has told all."""
+        self.languages.choose(choice)
+        QTimer.singleShot(0, lambda: [widget.update() for widget in self._qt.allWidgets()])
 
     def _on_volume(self, volume: float) -> None:
         """Take a loudness, and let it be heard."""
