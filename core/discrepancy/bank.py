@@ -60,7 +60,7 @@ class Bank:
                 continue
             places = [COMMON] if effect.shared else list(range(problem.channels))
             if problem.channels > 1 and not effect.shared and not effect.alone:
-                places.append(EACH)
+                places = [EACH] if effect.together else [*places, EACH]
             found = [
                 Instance(one, place)
                 for place in places

@@ -49,15 +49,7 @@ class Engine:
     @classmethod
     def of(cls, problem: Problem, settings: Settings) -> "Engine":
         """Prepare a run; what is found in a first round is left out of the noise."""
-        bank = Bank.of(problem)
-        # Rows that mean something else than they say make a mockery of the replicates: what stands
-        # out by far is looked for under the stated noise first.
-        stated = under(problem, settings, bank, Floor.stated(problem, settings)).search
-        gross = stated.gross(stated.state(())).slots
-        if any(not slot.raw.shape[1] for slot in gross):
-            # Rows that were mistaken have bent the response through which the rig acts.
-            problem = problem.corrected(sum((slot.change for slot in gross), 0.0 * problem.y))
-            bank = Bank.of(problem)
+        problem, bank, gross = _gross(problem, settings)
         first = under(problem, settings, bank, Floor.of(problem, settings, gross))
         state, _ = first.search.run()
         if {slot.key for slot in state.slots} == {slot.key for slot in gross}:
@@ -73,6 +65,25 @@ class Engine:
         """Probability of so much evidence for any name in data without any effect."""
         above = len(self.top) - int(np.searchsorted(self.top, evidence))
         return (above + 1.0) / (len(self.top) + 1.0)
+
+
+def _gross(problem: Problem, settings: Settings) -> tuple[Problem, Bank, tuple[Slot, ...]]:
+    """What stands out by far under the stated noise, and the problem without what it bent.
+
+    Rows that mean something else than they say make a mockery of the replicates, and bend the
+    response through which the rig acts; what else seemed to stand out is looked at again then.
+    """
+    relabelled: tuple[Slot, ...] = ()
+    right = problem
+    while True:
+        bank = Bank.of(right)
+        search = under(right, settings, bank, Floor.stated(right, settings)).search
+        found = search.gross(search.state(relabelled)).slots
+        further = tuple(slot for slot in found if not slot.raw.shape[1])
+        if len(further) == len(relabelled):
+            return right, bank, found
+        relabelled = further
+        right = problem.corrected(sum((slot.change for slot in relabelled), 0.0 * problem.y))
 
 
 def under(

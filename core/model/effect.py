@@ -115,6 +115,7 @@ class Effect(ABC):
     sensors : kinds of sensor in which it can act
     shared : it acts on all sensors of a unit at once, by the same parameters
     alone : it never acts on all sensors of a unit at once, each by its own parameters
+    together : it always does
     seen_as : what its residuals look like
     remedy : what to do about it
     confused_with : identifiers of effects that look alike in some plans
@@ -134,6 +135,7 @@ class Effect(ABC):
     sensors: tuple[str, ...] = ("accelerometer", "gyro")
     shared: bool = False
     alone: bool = False
+    together: bool = False
     seen_as: str = ""
     remedy: str = ""
     confused_with: tuple[str, ...] = ()

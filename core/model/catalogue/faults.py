@@ -205,6 +205,7 @@ class StuckReading(_RowFault):
     plain = "the reading of the row before was stored again, bit for bit"
     equation = "e at one row"
     needs = ("repeated",)
+    together = True
     seen_as = "a row that equals the row before exactly, at another setting"
     remedy = "measure the row again"
     confused_with = ("outlier",)

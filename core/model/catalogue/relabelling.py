@@ -1,14 +1,18 @@
 """Rows that mean something else than they say; nothing is fitted."""
 
 from dataclasses import replace
+from itertools import permutations
 
 import numpy as np
 
-from core.arrays import FloatArray, IntArray
+from core.arrays import BoolArray, FloatArray, IntArray
 from core.model.catalogue.terms import ALL, HEAD, STATIC, TABLE, levels, sweeps
 from core.model.effect import Effect, Kind, Parameter, Sensor
 from core.model.stimulus import Stimulus
 from core.units import RAD_PER_DEG
+
+_ABOUT = 0.05
+"""How far two estimates of a ratio of scales may differ: cross-axis sensitivities."""
 
 
 class _Relabelling(Effect):
@@ -182,6 +186,8 @@ class ChannelsPermuted(_Relabelling):
     ----------
     order : column that really holds the first, second, ... output
     counted, number : which mounting, see `MountReversed`, or which ``"run"``
+    scaled : the sensors were exchanged before the amplifiers, so that each output has the scale
+        of its column, else the columns as they are
     """
 
     id = "channels_permuted"
@@ -194,9 +200,15 @@ class ChannelsPermuted(_Relabelling):
     remedy = "correct the names of the columns"
 
     def __init__(
-        self, order: tuple[int, ...] = (), counted: str = "mount", number: int = 0
+        self,
+        order: tuple[int, ...] = (),
+        counted: str = "mount",
+        number: int = 0,
+        *,
+        scaled: bool = False,
     ) -> None:
         self._order, self._counted, self._number = order, counted, number
+        self._scaled = scaled
 
     @property
     def shape(self) -> tuple[tuple[Parameter, float], ...]:
@@ -205,6 +217,7 @@ class ChannelsPermuted(_Relabelling):
         return (
             (Parameter("columns", "", ""), float(columns)),
             (Parameter(self._counted, "", ""), self._number + 1.0),
+            (Parameter("before_amplifiers", "", ""), float(self._scaled)),
         )
 
     def relabel(self, stimulus: Stimulus, y: FloatArray) -> tuple[Stimulus, FloatArray]:
@@ -212,13 +225,52 @@ class ChannelsPermuted(_Relabelling):
         if y.shape[1] != len(self._order):
             return stimulus, y
         here = _counted(stimulus, self._counted) == self._number
-        return stimulus, np.where(here[:, None], y[:, list(self._order)], y)
+        moved = y[:, list(self._order)]
+        if self._scaled:
+            moved = moved * _ratios(stimulus.a, y, here, self._order)
+        return stimulus, np.where(here[:, None], moved, y)
 
     def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
         """Every order of three columns in every mounting; in all it is only another naming."""
         orders = ((1, 0, 2), (0, 2, 1), (2, 1, 0), (1, 2, 0), (2, 0, 1))
         places = _places(stimulus, ("mount", "place", "sweep", "run"))
-        return tuple(ChannelsPermuted(order, *place) for place in places for order in orders)
+        return tuple(
+            ChannelsPermuted(order, *place, scaled=scaled)
+            for place in places
+            for order in orders
+            for scaled in (False, True)
+        )
+
+
+def _ratios(a: FloatArray, y: FloatArray, here: BoolArray, order: tuple[int, ...]) -> FloatArray:
+    """(3,) scale of each output over that of the column which holds it, from the rows themselves.
+
+    First from how far each column swings with the axis that it shows; then such that the rows of
+    the exchange and the others lie on one plane (least squares).
+    """
+    elsewhere = np.linalg.lstsq(_with_bias(a[~here]), y[~here], rcond=None)[0][1:].T
+    swing = np.abs(elsewhere) / np.maximum(np.abs(elsewhere).max(axis=1, keepdims=True), 1e-300)
+    axes = max(permutations(range(3)), key=lambda p: sum(swing[i, p[i]] for i in range(3)))
+    shown = a[:, list(axes)]
+    for output, held in enumerate(order):
+        shown[here, held] = a[here, axes[output]]
+    moved = shown - shown.mean(axis=0)
+    size = np.maximum(np.sum(moved**2, axis=0), 1e-300)
+    gain = np.sum(moved * y, axis=0) / size
+    gain = np.where(np.abs(gain) > 0.0, gain, 1.0)
+    left = np.linalg.qr(_with_bias(a))[0]
+    found = np.empty(3)
+    for output, held in enumerate(order):
+        near = gain[output] / gain[held]
+        parts = np.column_stack([~here * y[:, output], here * y[:, held]])
+        parts = parts - left @ (left.T @ parts)
+        finer = -float(parts[:, 0] @ parts[:, 1]) / max(float(parts[:, 1] @ parts[:, 1]), 1e-300)
+        found[output] = finer if abs(finer / near - 1.0) < _ABOUT else near
+    return np.where(np.array(order) == np.arange(3), 1.0, found)
+
+
+def _with_bias(a: FloatArray) -> FloatArray:
+    return np.column_stack([np.ones(len(a)), a])
 
 
 def _places(stimulus: Stimulus, ways: tuple[str, ...]) -> list[tuple[str, int]]:

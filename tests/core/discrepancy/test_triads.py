@@ -81,3 +81,22 @@ def test_outputs_in_each_others_columns_are_recognised():
     y = run.y.copy()
     y[16:24] = y[16:24][:, [1, 0, 2]]
     assert explain(replace(run, y=y), QUICK).steps[0].effect == "channels_permuted"
+
+
+def test_sensors_exchanged_before_their_amplifiers_are_recognised_at_any_scale():
+    run = triad()
+    scales = np.array([1.0, -1.3, 0.8])
+    y = run.y.copy()
+    y[16:24] = y[16:24][:, [2, 1, 0]]
+    run = replace(run, y=y * scales, y_se=run.y_se * np.abs(scales))
+    story = explain(run, QUICK)
+    assert [step.effect for step in story.steps] == ["channels_permuted"]
+    assert story.verdict == "data_fault"
+    assert story.after.gap < 1.5
+
+
+def test_a_reading_stored_again_is_one_fault_of_all_outputs():
+    run = triad()
+    y = run.y.copy()
+    y[20] = y[19]
+    assert [step.effect for step in explain(replace(run, y=y), QUICK).steps] == ["stuck_reading"]
