@@ -156,12 +156,12 @@ def _point(known: Mapping[float, tuple[float, float]], x: float) -> tuple[str, s
     if x not in known:
         return "", ""
     value, half = known[x]
-    return value_and_uncertainty(value, half) if half > 0 else (plain(value), "")
+    return value_and_uncertainty(value, half) if half > 0 else (f"{value:.4g}".replace("-", MINUS), "")
 
 
 def plain(value: float) -> str:
     """A number that was set, without digits that nobody stated."""
-    return f"{value:.5g}".replace("-", MINUS)
+    return f"{value:.10g}".replace("-", MINUS)
 
 
 def note_html(note: Note) -> str:
