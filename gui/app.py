@@ -41,6 +41,7 @@ TABS: dict[str, str] = {
     "Methods": "gui.methods.tab",
     "Model vs data": "gui.discrepancy.tab",
     "Archive": "gui.archive.tab",
+    "Teach a board": "gui.frames.tab",
     "Certificates": "gui.certificate.tab",
 }
 """Every tab of the window: its title and the module that makes it."""
@@ -173,6 +174,7 @@ class Application(QObject):
             handing.open_file,
             handing.certify,
             handing.read_measured,
+            self._why_busy,
         )
         for place, title in enumerate(TABS):
             module = cast("TabModule", importlib.import_module(TABS[title]))

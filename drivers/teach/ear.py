@@ -18,17 +18,19 @@ class Heard:
     ----------
     tail : the latest bytes
     total : all bytes so far
-    seconds : from the first byte to the last
+    seconds : from the end of the first read to that of the last
+    within : bytes that came in this time
     """
 
     tail: bytes = b""
     total: int = 0
     seconds: float = 0.0
+    within: int = 0
 
     @property
     def bytes_per_s(self) -> float:
         """Mean rate of the bytes; 0 while it cannot be told."""
-        return self.total / self.seconds if self.seconds > 0.2 else 0.0
+        return self.within / self.seconds if self.seconds > 0.2 else 0.0
 
 
 class Ear:
@@ -37,6 +39,7 @@ class Ear:
     def __init__(self, kept: int = KEPT) -> None:
         self._kept = kept
         self._begun = 0.0
+        self._first = 0
         self.heard = Heard()
         """Replaced whole at each feeding."""
 
@@ -54,9 +57,10 @@ class Ear:
         """Keep some bytes."""
         now = time.monotonic()
         if not self.heard.total:
-            self._begun = now
+            self._begun, self._first = now, len(data)
         tail = (self.heard.tail + data)[-self._kept :]
-        self.heard = Heard(tail, self.heard.total + len(data), now - self._begun)
+        total = self.heard.total + len(data)
+        self.heard = Heard(tail, total, now - self._begun, total - self._first)
         return []
 
     def flush(self) -> list[Event]:

@@ -157,12 +157,12 @@ def _steps(steps: NDArray[np.int64], bits: int) -> tuple[NDArray[np.int64], Floa
     """
     if not len(steps):
         return np.zeros(steps.shape[1], dtype=np.int64), np.zeros(steps.shape[1])
-    turned = steps % (1 << bits)
+    turned: NDArray[np.int64] = steps % (1 << bits)
     middle: NDArray[np.int64] = np.partition(turned, len(turned) // 2, axis=0)[len(turned) // 2]
-    share: FloatArray = np.mean(turned == middle, axis=0)
+    share: FloatArray = np.asarray(np.mean(turned == middle, axis=0), dtype=np.float64)
     high = (middle >= 1 << (bits - 1)) | ((middle % 256 == 0) & (bits > 8))
-    step: NDArray[np.int64] = np.where(high, 0, middle)
-    return step, share
+    middle[high] = 0
+    return middle, share
 
 
 def _spread(residuals: FloatArray | NDArray[np.int64]) -> FloatArray:

@@ -74,7 +74,7 @@ def length_readings(
             if size == 2 and not _two_bytes(heads, at, endian):
                 continue
             for meaning, whole in (("total", value), ("payload", value + overhead)):
-                share = float(np.mean(steps == whole))
+                share = float(np.count_nonzero(steps == whole) / len(steps))
                 found.append(LengthReading(at, type_, endian, value, meaning, whole, share))
     return found
 

@@ -5,17 +5,14 @@ sessions, look through names, scales and units, and choose it in Device Properti
 """
 
 import argparse
-from collections.abc import Iterator
 from pathlib import Path
 
-from core.errors import FormatError
 from core.records.atomic import write_text_atomic
 from drivers.profile_types import LineSpec
-from drivers.rawlog import Chunk, read_rawlog
-from drivers.records import is_recording
-from drivers.teach.analysis import LATEST, Proposal, analyse, device_file
+from drivers.teach.analysis import Proposal, analyse, device_file
 from drivers.teach.frames import FrameProposal
 from gui.commands.answer import Answer
+from gui.frames.listening import heard_in
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -31,40 +28,19 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(args: argparse.Namespace) -> Answer:
     """Find out what the bytes of a file are."""
-    data, bytes_per_s = _heard(args.rawlog)
-    proposal = analyse(data, bytes_per_s)
+    heard = heard_in(args.rawlog)
+    proposal = analyse(heard.tail, heard.bytes_per_s)
     if proposal.found is None:
         text = (
             f"{args.rawlog}: neither frames of one length nor lines of numbers were found in"
-            f" {len(data)} bytes. Is the baud rate right?"
+            f" {len(heard.tail)} bytes. Is the baud rate right?"
         )
-        return Answer({"found": None, "bytes": len(data)}, text, 1)
+        return Answer({"found": None, "bytes": len(heard.tail)}, text, 1)
     name = args.name or args.rawlog.stem
     text = device_file(proposal, name, args.kind, args.baud, f"taught from {args.rawlog.name}")
     if args.out is not None:
         write_text_atomic(args.out, text)
     return Answer(_plain(proposal, text), text.rstrip("\n"))
-
-
-def _heard(path: Path) -> tuple[bytes, float]:
-    """Return the latest bytes of a file, and how many came a second; 0 where no time is known."""
-    if not is_recording(path):
-        return path.read_bytes()[-LATEST:], 0.0
-    total, first, last = 0, None, 0.0
-    tail = b""
-    for chunk in _chunks(path):
-        first = chunk.t if first is None else first
-        last = chunk.t
-        total += len(chunk.data)
-        tail = (tail + chunk.data)[-LATEST:]
-    if not tail:
-        raise FormatError(path, "holds no raw bytes")
-    span = last - (first or 0.0)
-    return tail, total / span if span > 0.5 else 0.0
-
-
-def _chunks(path: Path) -> Iterator[Chunk]:
-    return (item for item in read_rawlog(path) if isinstance(item, Chunk))
 
 
 def _plain(proposal: Proposal, text: str) -> dict[str, object]:

@@ -15,5 +15,5 @@ def test_only_the_latest_bytes_are_kept():
 
 
 def test_the_rate_waits_until_it_can_be_told():
-    assert Heard(b"ab", 2, 0.1).bytes_per_s == 0.0
-    assert Heard(b"ab", 200, 2.0).bytes_per_s == pytest.approx(100.0)
+    assert Heard(b"ab", 2, 0.1, 2).bytes_per_s == 0.0
+    assert Heard(b"ab", 250, 2.0, 200).bytes_per_s == pytest.approx(100.0)
