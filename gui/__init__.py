@@ -4,8 +4,11 @@
 main              entry: no subcommand opens the window, a subcommand runs headless
 app               makes every part and joins them; the table of tabs
 main_window       device strip, tabs, banner, log, the rig's dock
+hooks             faults of the program, orders of the system
+guidance          what helps beside the tabs: the following three
 distance          the step of a tab over the whole window
 keys              the sheet of keys, read from the window
+tour              callouts over the window on the simulated rig
 commands          the subcommands of ``calrig``; no Qt
 measuring         step by step through a plan: what all measuring tabs share
 dividing_head     accelerometers on the dividing head: ClbAcc and Pointer

@@ -1,13 +1,10 @@
 """The application: makes every part and joins them; nothing else knows more than its own part."""
 
 import importlib
-import signal
 import sys
-import traceback
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from types import TracebackType
 from typing import TYPE_CHECKING, cast
 
 from PySide6.QtCore import QByteArray, QObject, QStandardPaths, QTimer, Signal
@@ -15,6 +12,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 
 from core.errors import FormatError, LabError, Severity
 from gui.garbage import Collector
+from gui.hooks import hook_errors, hook_signals
 from gui.jobs import Jobs
 from gui.languages.choice import SYSTEM, Languages
 from gui.languages.shown import shown
@@ -29,6 +27,7 @@ from gui.widgets.window_menu import LOOKS, VOLUMES
 if TYPE_CHECKING:
     from core.plans.plan import Plan, Step
     from drivers.profile import Profile
+    from gui.measuring.view import MeasuringView
 
 TABS: dict[str, str] = {
     "Dividing head": "gui.dividing_head.tab",
@@ -59,7 +58,7 @@ class Options:
     simulated : device of the simulated rig (``"pointer"``) or its whole address; empty for none
     root : folder of all sessions; None for the user's own
     settings : file of the preferences; None for the user's own
-    quiet : no sounds, whatever the preferences say
+    quiet : no sounds and no offer of a tour, whatever the preferences say
     """
 
     simulated: str = ""
@@ -146,8 +145,7 @@ class Application(QObject):
         from gui.devices.setup import setups_of_section
         from gui.devices.stopping import Stopping
         from gui.devices.view import DevicesView
-        from gui.distance import Distance
-        from gui.keys.showing import Keys
+        from gui.guidance import Guidance
         from gui.handing import Handing
         from gui.services import Services
 
@@ -181,8 +179,15 @@ class Application(QObject):
             tab = module.make_tab(services)
             self.tabs[title] = tab
             self.window.put_tab(place, tab.widget, title)
-        self.distance = Distance(self.window, self.messages)
-        self.keys = Keys(self.window, self.messages, lambda: self._root)
+        first = self.tabs["Dividing head"].widget
+        self.guidance = Guidance(
+            self.window,
+            self.messages,
+            self.settings,
+            lambda: self._root,
+            cast("MeasuringView", first),
+            self._connect_rig,
+        )
         self._made = True
         QTimer.singleShot(0, self._after_paint)
 
@@ -227,6 +232,8 @@ class Application(QObject):
             self.connection.open(setups)
         else:
             self.messages.show(_WELCOME, _welcome())
+        if not self._options.quiet:
+            self.guidance.tour.offer()
         self._collector.settle()
         self.ready.emit()
 
@@ -271,6 +278,11 @@ class Application(QObject):
     def _play(self, cue: str) -> None:
         if not self._options.quiet:
             self.sounds.play(_CUES[cue])
+
+    def _connect_rig(self) -> None:
+        """Give the tour its device; one that is connected is left alone."""
+        if self.connection.link is None:
+            self.open_simulated("pointer")
 
     def _wanted(self) -> "tuple[Plan, Step] | None":
         widget = self.window.tabs.currentWidget()
@@ -324,8 +336,8 @@ def run(options: Options) -> int:
     qt.setApplicationName("CalRig")
     qt.setApplicationDisplayName("CalRig")
     application = Application(qt, options)
-    _hook_errors(application)
-    _hook_signals(application)
+    hook_errors(application.messages)
+    hook_signals(application.window)
     application.start()
     code = qt.exec()
     application.close()
@@ -356,37 +368,3 @@ def _default_root() -> Path:
 def _settings_path() -> Path:
     place = QStandardPaths.StandardLocation.GenericConfigLocation
     return Path(QStandardPaths.writableLocation(place)) / "calrig" / "settings.json"
-
-
-def _hook_errors(application: Application) -> None:
-    """A fault of the program is told and logged; the program goes on, since data are at stake."""
-
-    def tell(kind: type[BaseException], fault: BaseException, trace: TracebackType | None) -> None:
-        text = "".join(traceback.format_exception(kind, fault, trace))
-        sys.stderr.write(text)
-        application.messages.show(
-            "program",
-            BannerState(
-                Severity.ERROR,
-                "A fault inside the program",
-                f"{kind.__name__}: {fault}. What was accepted is on the disk.",
-                "Go on; if something behaves oddly, start the program anew and resume.",
-            ),
-        )
-        application.messages.log(Severity.ERROR, text, "program")
-
-    sys.excepthook = tell
-
-
-def _hook_signals(application: Application) -> None:
-    """Ctrl+C in the console and a polite end by the system close the window in order."""
-
-    def end(*_: object) -> None:
-        application.window.close()
-
-    for name in ("SIGINT", "SIGTERM"):
-        signal.signal(getattr(signal, name), end)
-    # Python handles signals between its own instructions: give it some now and then.
-    awake = QTimer(application)
-    awake.timeout.connect(lambda: None)
-    awake.start(300)

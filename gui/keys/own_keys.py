@@ -95,6 +95,27 @@ def own_keys() -> Own:
                 ("Home", QCoreApplication.translate("Keys", "Turn to zero")),
             ),
         ),
+        "CandidateView": (
+            QCoreApplication.translate("Keys", "Candidates"),
+            (("Return", QCoreApplication.translate("Keys", "Choose it")),),
+        ),
+        "BytesView": (
+            QCoreApplication.translate("Keys", "Bytes of a board"),
+            (
+                ("Left Right", QCoreApplication.translate("Keys", "Point at another byte")),
+                ("Shift+Left Shift+Right", QCoreApplication.translate("Keys", "Select bytes")),
+                ("Return", QCoreApplication.translate("Keys", "Add a field")),
+                ("Del", QCoreApplication.translate("Keys", "Remove the field")),
+            ),
+        ),
+        "PreviewView": (
+            QCoreApplication.translate("Keys", "Preview of a certificate"),
+            (("PgUp PgDown", QCoreApplication.translate("Keys", "Turn the page")),),
+        ),
+        "Callout": (
+            QCoreApplication.translate("Keys", "Tour"),
+            (("Esc", QCoreApplication.translate("Keys", "Leave it")),),
+        ),
         "Banner": (
             QCoreApplication.translate("Keys", "Message"),
             (("Esc", QCoreApplication.translate("Keys", "Close")),),

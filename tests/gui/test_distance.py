@@ -17,7 +17,7 @@ def test_a_position_is_measured_in_the_distance_view(open_app: Callable[[], Driv
     url = "sim://pointer?speed=20&seed=8&name=distance"
     operator.app.open_simulated(url)
     operator.until(lambda: operator.tab.bench.linked)
-    window, view = operator.app.window, operator.app.distance.view
+    window, view = operator.app.window, operator.app.guidance.distance.view
     operator.key(Qt.Key.Key_F11)
     operator.until(view.isVisible)
     assert window.isFullScreen()
@@ -61,8 +61,8 @@ def test_every_measuring_tab_has_it_and_others_cannot_open_it(
     tabs = app.window.tabs
     tabs.setCurrentWidget(app.tabs[title].widget)
     assert app.window.menu.distance.isEnabled()
-    app.distance.enter()
-    assert app.distance.view.isVisible()
+    app.guidance.distance.enter()
+    assert app.guidance.distance.view.isVisible()
     tabs.setCurrentWidget(app.tabs["Archive"].widget)
-    assert not app.distance.view.isVisible()
+    assert not app.guidance.distance.view.isVisible()
     assert not app.window.menu.distance.isEnabled()
