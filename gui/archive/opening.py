@@ -15,6 +15,7 @@ TAB_OF_TEST = {
 }
 """Titles of the tabs that process the runs of each test."""
 RECORDS = "Allan"
+CERTIFICATES = "Certificates"
 
 
 def opening_of(entry: Entry, path: Path) -> tuple[str, Path] | None:

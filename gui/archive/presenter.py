@@ -10,11 +10,13 @@ from core.archive.history import History
 from core.errors import LabError, Note, Severity
 from gui.archive.findings import name_of, of_details, of_import, of_redecoded, picture_of
 from gui.archive.library import Library
+from gui.archive.opening import CERTIFICATES
 from gui.archive.questions import (
     Details,
     Listed,
     Parameter,
     Redecoded,
+    can_be_certified,
     details,
     followed,
     listed,
@@ -119,6 +121,8 @@ class ArchivePresenter(QObject):
         """A button of the row of actions."""
         if key == "open":
             self._open()
+        elif key == "certificate" and self._details is not None and self._details.path is not None:
+            self._open_file(CERTIFICATES, self._details.path)
         elif key == "refresh":
             self.shown()
         elif key == "rebuild":
@@ -309,6 +313,14 @@ class ArchivePresenter(QObject):
                 opens,
                 opens,
                 nothing if one is None else here,
+            ),
+            ActionItem(
+                "certificate",
+                QCoreApplication.translate("Archive", "Certificate"),
+                enabled=one is not None and len(self._chosen) == 1 and can_be_certified(one),
+                why_not=QCoreApplication.translate(
+                    "Archive", "Choose a session, a run, an old file or a calibration."
+                ),
             ),
             ActionItem(
                 "import",

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from core.archive.compare import Compared, compare
-from core.archive.entry import Entry, Quantity
+from core.archive.entry import DAMAGED, Entry, Quantity
 from core.archive.history import History, history_of
 from core.archive.limits import Limit, limit_of, read_limits
 from core.archive.nearest import Proposal, nearest
@@ -68,6 +68,13 @@ class Details:
     path: Path | None
     opening: tuple[str, Path] | None
     why_not: str = ""
+
+
+def can_be_certified(found: Details) -> bool:
+    """Whether a certificate can be made of the chosen entry."""
+    entry = found.entries[0]
+    kinds = ("session", "calibration", "run", "legacy")
+    return found.path is not None and entry.kind in kinds and entry.verdict != DAMAGED
 
 
 @dataclass(frozen=True, slots=True)

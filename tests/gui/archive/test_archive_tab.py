@@ -145,6 +145,18 @@ def test_a_calibration_without_its_session_is_shown_here_only(
     assert "shown here" in button.toolTip()
 
 
+def test_a_certificate_is_made_of_one_entry(
+    tab: ArchiveTab, qtbot: QtBot, filled: Path, opened: list[tuple[str, Path]]
+) -> None:
+    show(tab, qtbot)
+    assert not tab.view.action_bar.button("certificate").isEnabled()
+    choose(tab, qtbot, places_of(tab, "session")[1])
+    qtbot.mouseClick(tab.view.action_bar.button("certificate"), Qt.MouseButton.LeftButton)
+    assert opened == [("Certificates", filled / "20240301_PW09")]
+    choose(tab, qtbot, *places_of(tab, "calibration")[:2])
+    assert not tab.view.action_bar.button("certificate").isEnabled()
+
+
 def test_old_files_are_imported_with_a_report(
     tab: ArchiveTab, qtbot: QtBot, root: Path, opened: list[tuple[str, Path]]
 ) -> None:
