@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 from gui.certificate.state import CertificateState, LimitRow, PartRow
 from gui.certificate.text_form_view import embolden
 from gui.certificate.texts import rule_titles
+from gui.languages.shown import shown, shown_number
 from gui.widgets.fields import ChoiceField
 
 _NOMINAL, _LIMIT = 3, 4
@@ -35,6 +36,7 @@ class LimitsForm(QWidget):
         self._parts: tuple[PartRow, ...] = ()
         self._hint, self._rule_label, self._verdict = QLabel(), QLabel(), QLabel()
         self._printed = QLabel()
+        self._state: CertificateState | None = None
         for label in (self._hint, self._verdict):
             label.setWordWrap(True)
         self._hint.setProperty("muted", True)
@@ -67,13 +69,14 @@ class LimitsForm(QWidget):
 
     def render(self, state: CertificateState) -> None:
         """Show a state."""
+        self._state = state
         self.setEnabled(bool(state.subject) and not state.issued)
         self.table.setEnabled(bool(state.limits))
         self.rule.setEnabled(bool(state.limits))
         self._show_limits(state.limits)
         self._show_parts(state.parts)
         self.rule.setCurrentIndex(self.rule.findData(state.rule))
-        verdict = self.tr("Conformity: {verdict}").format(verdict=state.verdict)
+        verdict = self.tr("Conformity: {verdict}").format(verdict=shown(state.verdict))
         self._verdict.setText(verdict if state.verdict else "")
         self._verdict.setVisible(bool(state.verdict))
 
@@ -87,7 +90,7 @@ class LimitsForm(QWidget):
         if fresh:
             self.table.setRowCount(len(rows))
         for place, row in enumerate(rows):
-            texts = (row.symbol, row.found, row.unit, row.nominal, row.limit)
+            texts = (row.symbol, shown_number(row.found), row.unit, row.nominal, row.limit)
             for column, text in enumerate(texts):
                 item = self.table.item(place, column)
                 if item is None:
@@ -97,7 +100,7 @@ class LimitsForm(QWidget):
                     self.table.setItem(place, column, item)
                 if item.text() != text:
                     item.setText(text)
-                item.setToolTip(row.problem or f"{row.parameter}: {text}")
+                item.setToolTip(shown(row.problem or f"{row.parameter}: {text}"))
         blocker.unblock()
 
     def _show_parts(self, parts: tuple[PartRow, ...]) -> None:
@@ -111,8 +114,8 @@ class LimitsForm(QWidget):
             self.parts.addItem(QListWidgetItem())
         for place, part in enumerate(parts):
             item = self.parts.item(place)
-            item.setText(part.title)
-            item.setToolTip(part.title)
+            item.setText(shown(part.title))
+            item.setToolTip(item.text())
             on = Qt.CheckState.Checked if part.printed else Qt.CheckState.Unchecked
             item.setCheckState(on)
         blocker.unblock()
@@ -135,6 +138,9 @@ class LimitsForm(QWidget):
         super().changeEvent(event)
         if event.type() == QEvent.Type.LanguageChange:
             self._retranslate()
+            if self._state is not None:
+                self._rows, self._parts = (), ()
+                self.render(self._state)
 
     def _retranslate(self) -> None:
         self._hint.setText(
@@ -159,5 +165,5 @@ class LimitsForm(QWidget):
         chosen = self.rule.currentData()
         self.rule.clear()
         for key, title in rule_titles().items():
-            self.rule.addItem(title, key)
+            self.rule.addItem(shown(title), key)
         self.rule.setCurrentIndex(max(0, self.rule.findData(chosen)))

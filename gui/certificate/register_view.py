@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
 from core.certificates.register import Issued
 from gui.certificate.state import CertificateState
 from gui.certificate.texts import status_words, verdict_of
+from gui.languages.shown import shown
 
 _NUMBER = Qt.ItemDataRole.UserRole
 
@@ -69,10 +70,10 @@ class RegisterList(QWidget):
         for one in entries:
             texts = [
                 one.number,
-                status_words(one),
+                shown(status_words(one)),
                 one.serial,
                 one.issued,
-                verdict_of(one),
+                shown(verdict_of(one)),
                 one.item,
                 one.customer,
             ]

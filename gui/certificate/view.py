@@ -24,8 +24,10 @@ from gui.certificate.presenter import CertificatePresenter
 from gui.certificate.preview_view import PreviewView
 from gui.certificate.register_view import RegisterList
 from gui.certificate.state import CertificateState
+from gui.languages.shown import shown
 from gui.widgets.action_bar import ActionBar
 from gui.widgets.note_line import NoteLine
+from gui.widgets.word_label import WordLabel
 
 
 class CertificateView(QWidget):
@@ -36,7 +38,7 @@ class CertificateView(QWidget):
         self._presenter = presenter
         self._notes: tuple[Note, ...] = ()
         self._dialog: QFileDialog | None = None
-        self.title, self.hint = QLabel(), QLabel()
+        self.title, self.hint = QLabel(), WordLabel()
         self.order, self.limits = OrderForm(), LimitsForm()
         self.laboratory, self.register = LaboratoryForm(), RegisterList()
         self.pages = QTabWidget()
@@ -120,12 +122,13 @@ class CertificateView(QWidget):
         if not state.subject:
             return self.tr("No results yet")
         words = self.tr("No. {number}, issued") if state.issued else self.tr("Draft No. {number}")
-        return f"{state.subject}: {words.format(number=state.number)}"
+        return f"{shown(state.subject)}: {words.format(number=state.number)}"
 
     def _render_needs(self, state: CertificateState) -> None:
         notes = list(state.doubts)
         if state.needs:
-            words = self.tr("ISO/IEC 17025 asks for: {list}").format(list=", ".join(state.needs))
+            needs = ", ".join(shown(need) for need in state.needs)
+            words = self.tr("ISO/IEC 17025 asks for: {list}").format(list=needs)
             notes.append(Note(Severity.WARNING, "needs", words))
         if tuple(notes) == self._notes:
             return
@@ -173,7 +176,7 @@ class CertificateView(QWidget):
         super().changeEvent(event)
         if event.type() == QEvent.Type.LanguageChange:
             self._retranslate()
-            self._notes = ()
+            self._dialog, self._notes = None, ()
             # Qt tells the language before the words of states are at hand.
             QTimer.singleShot(0, self._presenter.retranslate)
 

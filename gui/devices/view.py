@@ -172,7 +172,7 @@ class _Row:
     def __init__(self, presenter: DevicesPresenter, number: int, grid: QGridLayout) -> None:
         self._presenter = presenter
         self._number = number
-        self.name = QLabel()
+        self.name = WordLabel()
         self.port, self.baud, self.profile = QComboBox(), QComboBox(), QComboBox()
         self.port.setEditable(True)
         self.baud.setEditable(True)

@@ -6,7 +6,9 @@ from PySide6.QtWidgets import QFrame, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from gui.discrepancy.cause_view import paint_cause
 from gui.discrepancy.state import CandidateRow, NextCard, ProposalCard
+from gui.languages.shown import shown
 from gui.widgets.theme import current_theme
+from gui.widgets.word_label import WordLabel
 
 
 class CandidateView(QWidget):
@@ -22,8 +24,8 @@ class CandidateView(QWidget):
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setAccessibleName(row.name)
-        self.setAccessibleDescription(f"{row.value}; {row.evidence}; {row.gap_after}")
-        self.setToolTip(f"{row.name}\n{row.value}\n{row.evidence}, {row.gap_after}")
+        self.setAccessibleDescription(shown(f"{row.value}; {row.evidence}; {row.gap_after}"))
+        self.setToolTip(shown(f"{row.name}\n{row.value}\n{row.evidence}, {row.gap_after}"))
 
     @property
     def key(self) -> str:
@@ -73,7 +75,7 @@ class CandidateView(QWidget):
             QRectF(bar.left(), bar.top(), bar.width() * self._row.share, bar.height()),
             QColor(theme.accent),
         )
-        words = f"{self._row.evidence} · {self._row.gap_after}"
+        words = f"{shown(self._row.evidence)} · {shown(self._row.gap_after)}"
         self._line(painter, left, top + 0.85 * unit, width, words, theme.muted)
         painter.end()
 
@@ -81,7 +83,9 @@ class CandidateView(QWidget):
         self, painter: QPainter, left: float, top: float, width: float, text: str, colour: str
     ) -> None:
         painter.setPen(QColor(colour))
-        short = painter.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, int(width))
+        short = painter.fontMetrics().elidedText(
+            shown(text), Qt.TextElideMode.ElideRight, int(width)
+        )
         box = QRectF(left, top, width, 1.2 * self.fontMetrics().height())
         painter.drawText(box, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, short)
 
@@ -116,7 +120,7 @@ class ProposalView(QFrame):
         column = QVBoxLayout(self)
         column.setContentsMargins(0, unit // 3, 0, unit // 3)
         column.setSpacing(unit // 3)
-        title = QLabel(card.title)
+        title = WordLabel(card.title)
         font = title.font()
         font.setBold(True)
         title.setFont(font)

@@ -6,7 +6,6 @@ from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
-    QLabel,
     QLineEdit,
     QPushButton,
     QScrollArea,
@@ -18,10 +17,12 @@ from PySide6.QtWidgets import (
 from gui.discrepancy.candidate_view import CandidateView, ChanceBar, ProposalView
 from gui.discrepancy.cause_view import CauseView
 from gui.discrepancy.state import DetailState, NextCard, StoryState
+from gui.languages.shown import shown
 from gui.widgets.fields import ChoiceField
 from gui.widgets.note_line import NoteLine
 from gui.widgets.result_table import ResultTable
 from gui.widgets.theme import current_theme
+from gui.widgets.word_label import WordLabel
 
 
 class FindingsView(QWidget):
@@ -35,8 +36,9 @@ class FindingsView(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._state: StoryState | None = None
+        self._titles: list[str] = []
         unit = self.fontMetrics().height()
-        self.title, self.source, self.verdict, self.summary = (QLabel() for _ in range(4))
+        self.title, self.source, self.verdict, self.summary = (WordLabel() for _ in range(4))
         for label, size in ((self.title, 1.0), (self.verdict, 1.2)):
             font = label.font()
             font.setBold(True)
@@ -115,7 +117,8 @@ class FindingsView(QWidget):
     def set_formats(self, formats: tuple[tuple[str, str], ...]) -> None:
         """Offer these formats: keys and titles."""
         for key, title in formats:
-            self._formats.addItem(title, key)
+            self._formats.addItem(shown(title), key)
+        self._titles = [title for _, title in formats]
 
     @property
     def chosen_format(self) -> str:
@@ -203,6 +206,12 @@ class FindingsView(QWidget):
         super().changeEvent(event)
         if event.type() == QEvent.Type.LanguageChange:
             self._retranslate()
+            for place, title in enumerate(self._titles):
+                self._formats.setItemText(place, shown(title))
+            if self._state is not None:
+                # Built anew: the words of cards and buttons are written when they are made.
+                state, self._state = self._state, None
+                self.render(state)
         elif event.type() == QEvent.Type.PaletteChange and hasattr(self, "_state"):
             self._colour()
 
@@ -246,8 +255,8 @@ def _detail(detail: DetailState) -> QWidget:
     return frame
 
 
-def _text(text: str, *, bold: bool = False, muted: bool = False) -> QLabel:
-    label = QLabel(text)
+def _text(text: str, *, bold: bool = False, muted: bool = False) -> WordLabel:
+    label = WordLabel(text)
     label.setWordWrap(True)
     label.setTextFormat(Qt.TextFormat.PlainText)
     label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)

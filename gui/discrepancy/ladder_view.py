@@ -16,10 +16,12 @@ from PySide6.QtWidgets import (
 )
 
 from gui.discrepancy.state import RungState
+from gui.languages.shown import shown, shown_number
 from gui.widgets.colours import blend
 from gui.widgets.number_text import fixed
 from gui.widgets.states import Tone
 from gui.widgets.theme import current_theme
+from gui.widgets.word_label import WordLabel
 
 _LEAST, _WIDEST = 0.5, 3.0
 _NEAR_FLOOR = 1.3
@@ -39,10 +41,10 @@ class GapBar(QWidget):
         self._rung = rung
         self._largest = largest
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        self.setAccessibleName(self.tr("gap {gap}").format(gap=fixed(rung.gap, 2)))
+        self.setAccessibleName(self.tr("gap {gap}").format(gap=shown_number(fixed(rung.gap, 2))))
         self.setToolTip(
             self.tr("Gap {gap} noise floors; rows left out of the fit: {held}").format(
-                gap=fixed(rung.gap, 2), held=fixed(rung.held_out, 2)
+                gap=shown_number(fixed(rung.gap, 2)), held=shown_number(fixed(rung.held_out, 2))
             )
         )
 
@@ -77,7 +79,7 @@ class GapBar(QWidget):
         painter.drawText(
             QRectF(room + 0.3 * unit, 0, 2.9 * unit, size.height()),
             Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter,
-            fixed(self._rung.gap, 2),
+            shown_number(fixed(self._rung.gap, 2)),
         )
 
     def _share(self, gap: float) -> float:
@@ -112,7 +114,7 @@ class RungView(QWidget):
             back.setText("✕")
             back.setAutoRaise(True)
             back.setToolTip(self.tr("Take it back, with all above it"))
-            back.setAccessibleName(self.tr("Take back {title}").format(title=rung.title))
+            back.setAccessibleName(self.tr("Take back {title}").format(title=shown(rung.title)))
             back.clicked.connect(self._on_back)
             head.addWidget(back, 0, Qt.AlignmentFlag.AlignTop)
         column = QVBoxLayout(self)
@@ -184,6 +186,8 @@ class LadderView(QWidget):
         super().changeEvent(event)
         if event.type() == QEvent.Type.LanguageChange:
             self._retranslate()
+            rungs, self._rungs = self._rungs, ()
+            self.render(rungs)
 
     def _retranslate(self) -> None:
         self._title.setText(self.tr("The ladder"))
@@ -198,8 +202,8 @@ def largest_of(rungs: tuple[RungState, ...]) -> float:
     return max([_WIDEST, *(1.05 * size for size in sizes)])
 
 
-def _words(text: str, *, bold: bool = False, muted: bool = False, doubt: bool = False) -> QLabel:
-    label = QLabel(text)
+def _words(text: str, *, bold: bool = False, muted: bool = False, doubt: bool = False) -> WordLabel:
+    label = WordLabel(text)
     label.setWordWrap(True)
     label.setTextFormat(Qt.TextFormat.PlainText)
     label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
@@ -210,5 +214,5 @@ def _words(text: str, *, bold: bool = False, muted: bool = False, doubt: bool = 
     if muted:
         label.setForegroundRole(label.palette().ColorRole.PlaceholderText)
     if doubt:
-        label.setText(f"△ {text}")
+        label.setText(f"△ {shown(text)}")
     return label

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QSplitter, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QSplitter, QVBoxLayout, QWidget
 
 from core.arrays import FloatArray
 from gui.discrepancy.state import PictureState, StoryState
@@ -15,6 +15,7 @@ from gui.widgets.legend import DASHES, LINE, POINT, Legend, LegendEntry
 from gui.widgets.plot import Plot
 from gui.widgets.states import Tone
 from gui.widgets.toggle import Toggle
+from gui.widgets.word_label import WordLabel
 
 _CROSS = "✕"
 _MEASURED, _SIMULATED, _AGAIN, _CURVE, _PREVIEW, _BAND = 0, 1, 3, 4, 2, 5
@@ -97,7 +98,7 @@ class PlotsView(QWidget):
         self._picture: PictureState | None = None
         self._rendering = False
         unit = self.fontMetrics().height()
-        self.title = QLabel()
+        self.title = WordLabel()
         self.title.setWordWrap(True)
         self.title.setTextFormat(Qt.TextFormat.PlainText)
         font = self.title.font()
@@ -206,6 +207,8 @@ class PlotsView(QWidget):
         super().changeEvent(event)
         if event.type() == QEvent.Type.LanguageChange:
             self._retranslate()
+            if self._picture is not None:
+                self.draw(self._picture, after=self.after.isChecked())
 
     def _retranslate(self) -> None:
         self.channels.setAccessibleName(self.tr("Output"))

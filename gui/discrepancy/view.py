@@ -20,10 +20,12 @@ from gui.discrepancy.findings_view import FindingsView
 from gui.discrepancy.ladder_view import LadderView
 from gui.discrepancy.presenter import DiscrepancyPresenter
 from gui.discrepancy.state import RegressorRow, StoryState
+from gui.languages.shown import shown
 from gui.widgets.action_bar import ActionBar
 from gui.widgets.icons import paint_tone
 from gui.widgets.states import Tone
 from gui.widgets.theme import current_theme
+from gui.widgets.word_label import WordLabel
 
 if TYPE_CHECKING:
     from gui.discrepancy.plots_view import PlotsView
@@ -49,7 +51,7 @@ class DiscrepancyView(QWidget):
         self.plots: PlotsView | None = None
         self.ladder, self.findings = LadderView(), FindingsView()
         self.regressors, self._against = QListWidget(), QLabel()
-        self.hint, self.busy, self.progress = QLabel(), QLabel(), QProgressBar()
+        self.hint, self.busy, self.progress = WordLabel(), WordLabel(), QProgressBar()
         self.action_bar = ActionBar()
         self._middle = QStackedWidget()
         self._build()
@@ -161,8 +163,8 @@ class DiscrepancyView(QWidget):
             self._rows = state.regressors
             self.regressors.clear()
             for row in state.regressors:
-                item = QListWidgetItem(_sign(row.tone), f"{row.title}\n{row.detail}")
-                item.setToolTip(f"{row.title}: {row.detail}")
+                item = QListWidgetItem(_sign(row.tone), f"{shown(row.title)}\n{shown(row.detail)}")
+                item.setToolTip(f"{shown(row.title)}: {shown(row.detail)}")
                 self.regressors.addItem(item)
         keys = [row.key for row in state.regressors]
         self.regressors.setCurrentRow(
@@ -200,6 +202,9 @@ class DiscrepancyView(QWidget):
         super().changeEvent(event)
         if event.type() == QEvent.Type.LanguageChange:
             self._retranslate()
+            self._rows, self._dialog = (), None
+            if self._state is not None:
+                self.render(self._state)
         elif event.type() == QEvent.Type.PaletteChange:
             for place, row in enumerate(getattr(self, "_rows", ())):
                 self.regressors.item(place).setIcon(_sign(row.tone))

@@ -19,6 +19,7 @@ from gui.dividing_head.settings import TILTERS, HeadSettings, Tilter
 from gui.measuring.settings_view import SettingsForm
 from gui.measuring.state import MeasuringState
 from gui.widgets.fields import ChoiceField
+from gui.widgets.word_label import WordLabel
 
 MOUNTS = ("X_from", "X_to", "Y_from", "Y_to", "Z_from", "Z_to")
 
@@ -55,7 +56,7 @@ class HeadForm(SettingsForm[HeadSettings]):
         names = ("α, ang. min.", "β, ang. min.", "γ, deg.", "ψ, deg.")
         for place, (name, field) in enumerate(zip(names, self._base, strict=True)):
             field.setAccessibleName(f"Base orientation {name}")
-            label = QLabel(name)
+            label = WordLabel(name)
             label.setBuddy(field)
             grid.addWidget(label, 1 + place % 2, 2 * (place // 2))
             grid.addWidget(field, 1 + place % 2, 2 * (place // 2) + 1)

@@ -6,7 +6,6 @@ from PySide6.QtWidgets import (
     QDialog,
     QFrame,
     QHBoxLayout,
-    QLabel,
     QLineEdit,
     QPushButton,
     QScrollArea,
@@ -16,6 +15,7 @@ from PySide6.QtWidgets import (
 
 from gui.keys.key_html import sheet_title
 from gui.keys.sheet import KeyGroup, KeySheet
+from gui.widgets.word_label import WordLabel
 
 
 class KeysView(QDialog):
@@ -106,13 +106,13 @@ def _block(group: KeyGroup, unit: int) -> QWidget:
     column = QVBoxLayout(block)
     column.setContentsMargins(0, 0, 0, unit)
     column.setSpacing(unit // 4)
-    title = QLabel(group.title)
+    title = WordLabel(group.title)
     font = title.font()
     font.setBold(True)
     title.setFont(font)
     column.addWidget(title)
     for line in group.lines:
-        keys, text = QLabel(line.keys), QLabel(line.text)
+        keys, text = WordLabel(line.keys), WordLabel(line.text)
         keys.setFixedWidth(13 * unit)
         text.setWordWrap(True)
         text.setForegroundRole(QPalette.ColorRole.PlaceholderText)

@@ -5,6 +5,7 @@ from dataclasses import replace
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QLineEdit, QPushButton, QVBoxLayout, QWidget
 
+from gui.languages.shown import shown
 from gui.measuring.settings_view import SettingsForm, numbers_in
 from gui.measuring.state import MeasuringState
 from gui.rate_table.free import MOUNTINGS, usable
@@ -61,7 +62,7 @@ class RateForm(SettingsForm[RateSettings]):
         self._both_ways, self._set = QCheckBox(), QPushButton()
         self._mounts = ChoiceField()
         for name in MOUNTINGS:
-            self._mounts.addItem(name, name)
+            self._mounts.addItem(shown(name), name)
         self._set.clicked.connect(self._on_set)
         self._rates.returnPressed.connect(self._on_set)
         self._rates.textEdited.connect(self._on_typed)
@@ -141,3 +142,5 @@ class RateForm(SettingsForm[RateSettings]):
         self._rates.setPlaceholderText("\N{MINUS SIGN}40 \N{MINUS SIGN}20 0 20 40")
         self._both_ways.setText(self.tr("Up and down"))
         self._set.setText(self.tr("Set"))
+        for place in range(self._mounts.count()):
+            self._mounts.setItemText(place, shown(self._mounts.itemData(place)))

@@ -4,6 +4,7 @@ from PySide6.QtCore import QEvent, QPoint, QRect, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QPainter, QPaintEvent, QPalette, QPen
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
 
+from gui.languages.shown import shown
 from gui.widgets.theme import current_theme
 
 _EDGE = 3
@@ -78,6 +79,7 @@ class Callout(QWidget):
         ----------
         number, count : which step, from 1, of how many
         """
+        title, text = shown(title), shown(text)
         self._title.setText(title)
         self._text.setText(text)
         self._count.setText(self.tr("{number} of {count}").format(number=number, count=count))

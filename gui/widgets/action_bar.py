@@ -169,7 +169,7 @@ class _ActionButton(QPushButton):
         self.setText(words)
         self.setEnabled(item.enabled)
         self.setAccessibleName(words)
-        tip = shown(item.why_not) if not item.enabled and item.why_not else item.text
+        tip = shown(item.why_not) if not item.enabled and item.why_not else words
         self.setToolTip(f"{tip} ({self._hint})" if self._hint and item.enabled else tip)
         self.setAccessibleDescription(self.toolTip())
 

@@ -13,6 +13,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QWidget
 
 from core.errors import Severity
+from gui.languages.shown import shown
 from gui.widgets.icons import paint_severity, paint_tone, tone_of_severity
 from gui.widgets.position_picture import paint_pose
 from gui.widgets.progress_ring import seconds_text
@@ -62,14 +63,14 @@ class DistanceView(QWidget):
         self._name()
 
     def _name(self) -> None:
-        self.setAccessibleName(self._stage.headline)
+        self.setAccessibleName(shown(self._stage.headline))
         self.setAccessibleDescription(self._words())
         self.update()
 
     def _words(self) -> str:
         if self._doubt is None:
-            return self._stage.detail
-        return f"{self._doubt.what}. {self._doubt.remedy}".strip()
+            return shown(self._stage.detail)
+        return f"{shown(self._doubt.what)}. {shown(self._doubt.remedy)}".strip()
 
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.ShortcutOverride and _is_escape(event):
@@ -132,7 +133,8 @@ class DistanceView(QWidget):
         paint_tone(painter, sign, stage.tone, colour)
         calm = stage.tone in (Tone.IDLE, Tone.BUSY)
         upper.setLeft(sign.right() + 0.02 * self.width())
-        self._write(painter, upper, stage.headline, theme.text if calm else colour, bold=True)
+        ink = theme.text if calm else colour
+        self._write(painter, upper, shown(stage.headline), ink, bold=True)
         if self._doubt is not None:
             tone = theme.tones[tone_of_severity(self._doubt.severity)]
             mark = QRectF(lower.left(), lower.top(), 0.07 * self.height(), 0.07 * self.height())
@@ -144,10 +146,10 @@ class DistanceView(QWidget):
         self, painter: QPainter, rect: QRectF, text: str, colour: str, *, bold: bool
     ) -> None:
         """Words as large as their place allows; what would be too small to read is left out."""
-        font, shown = self._fit(rect, text, bold=bold)
+        font, fitting = self._fit(rect, text, bold=bold)
         painter.setFont(font)
         painter.setPen(QColor(colour))
-        painter.drawText(rect, _WRAPPED, shown)
+        painter.drawText(rect, _WRAPPED, fitting)
 
     def _fit(self, rect: QRectF, text: str, *, bold: bool) -> tuple[QFont, str]:
         """The largest font that the whole text fits in, else as many sentences as fit."""
@@ -156,14 +158,14 @@ class DistanceView(QWidget):
         most, least = (round(x * self.height()) for x in (_MOST_SHARE, LEAST_SHARE))
         sentences = text.split(". ")
         for count in range(len(sentences), 0, -1):
-            shown = ". ".join(sentences[:count])
+            fitting = ". ".join(sentences[:count])
             for size in range(most if bold else round(1.7 * least), least - 1, -2):
                 font.setPixelSize(size)
                 metrics = QFontMetricsF(font)
-                widest = max(map(metrics.horizontalAdvance, shown.split()), default=0.0)
-                height = metrics.boundingRect(rect, _WRAPPED, shown).height()
+                widest = max(map(metrics.horizontalAdvance, fitting.split()), default=0.0)
+                height = metrics.boundingRect(rect, _WRAPPED, fitting).height()
                 if widest <= rect.width() and height <= rect.height():
-                    return font, shown
+                    return font, fitting
         return font, sentences[0]
 
     def _paint_ring(self, painter: QPainter, place: QRectF) -> None:
@@ -196,9 +198,9 @@ class DistanceView(QWidget):
         painter.setFont(font)
         painter.setPen(QColor(theme.muted))
         middle = Qt.AlignmentFlag.AlignVCenter
-        left = self._place
+        left = shown(self._place)
         if self._stage.next_label:
-            following = self.tr("Next: {step}").format(step=self._stage.next_label)
+            following = self.tr("Next: {step}").format(step=shown(self._stage.next_label))
             left = f"{left}   {following}"
         painter.drawText(foot, Qt.AlignmentFlag.AlignLeft | middle, left)
         painter.drawText(foot, Qt.AlignmentFlag.AlignRight | middle, self.tr("Esc leaves"))

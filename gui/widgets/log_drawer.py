@@ -44,6 +44,7 @@ class LogDrawer(QWidget):
         super().__init__(parent)
         unit = self.fontMetrics().height()
         self._model = _Entries(self)
+        self._tip = ""
         self._newest = WordLabel()
         self._newest.setTextFormat(Qt.TextFormat.PlainText)
         self._newest.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
@@ -71,6 +72,7 @@ class LogDrawer(QWidget):
         """Add an event."""
         self._model.append(entry)
         self._newest.setText(f"{entry.at:%H:%M:%S}  {entry.text}")
+        self._tip = entry.text
         self._newest.setToolTip(shown(entry.text))
 
     def set_open(self, opened: bool) -> None:
@@ -91,6 +93,7 @@ class LogDrawer(QWidget):
         self._button.setText(self.tr("Log") + (" ▾" if self._button.isChecked() else " ▴"))
         self._button.setToolTip(self.tr("Show or hide the log (Ctrl+L)"))
         self._button.setAccessibleName(self.tr("Log"))
+        self._newest.setToolTip(shown(self._tip))
 
 
 class _Entries(QAbstractTableModel):

@@ -430,7 +430,7 @@
         <message>
             <location filename="../../gui/tour/view.py" />
             <source>{number} of {count}</source>
-            <translation type="unfinished" />
+            <translation>{number} з {count}</translation>
         </message>
         <message>
             <location filename="../../gui/tour/view.py" />
@@ -440,17 +440,17 @@
         <message>
             <location filename="../../gui/tour/view.py" />
             <source>Done</source>
-            <translation type="unfinished" />
+            <translation>Готово</translation>
         </message>
         <message>
             <location filename="../../gui/tour/view.py" />
             <source>Leave the tour</source>
-            <translation type="unfinished" />
+            <translation>Залишити огляд</translation>
         </message>
         <message>
             <location filename="../../gui/tour/view.py" />
             <source>Back</source>
-            <translation type="unfinished" />
+            <translation>Назад</translation>
         </message>
     </context>
     <context>
@@ -1400,22 +1400,22 @@
         <message>
             <location filename="../../gui/frames/definition_view.py" />
             <source>Both meanings are shown; the stream says which one fits.</source>
-            <translation type="unfinished" />
+            <translation>Показано обидва значення; потік каже, яке підходить.</translation>
         </message>
         <message>
             <location filename="../../gui/frames/definition_view.py" />
             <source>Header</source>
-            <translation type="unfinished" />
+            <translation>Заголовок</translation>
         </message>
         <message>
             <location filename="../../gui/frames/definition_view.py" />
             <source>Length</source>
-            <translation type="unfinished" />
+            <translation>Довжина</translation>
         </message>
         <message>
             <location filename="../../gui/frames/definition_view.py" />
             <source>Checksum</source>
-            <translation type="unfinished" />
+            <translation>Контрольна сума</translation>
         </message>
         <message>
             <location filename="../../gui/frames/definition_view.py" />
@@ -1430,22 +1430,22 @@
         <message>
             <location filename="../../gui/frames/definition_view.py" />
             <source> bytes</source>
-            <translation type="unfinished" />
+            <translation> байтів</translation>
         </message>
         <message>
             <location filename="../../gui/frames/definition_view.py" />
             <source>Save device file</source>
-            <translation type="unfinished" />
+            <translation>Зберегти файл пристрою</translation>
         </message>
         <message>
             <location filename="../../gui/frames/definition_view.py" />
             <source>Save and connect</source>
-            <translation type="unfinished" />
+            <translation>Зберегти і під'єднати</translation>
         </message>
         <message>
             <location filename="../../gui/frames/definition_view.py" />
             <source>what the operators call the board</source>
-            <translation type="unfinished" />
+            <translation>як оператори називають плату</translation>
         </message>
     </context>
     <context>
@@ -1709,7 +1709,7 @@
         <message>
             <location filename="../../gui/frames/field_form_view.py" />
             <source>Name</source>
-            <translation type="unfinished" />
+            <translation>Назва</translation>
         </message>
         <message>
             <location filename="../../gui/frames/field_form_view.py" />
@@ -1719,12 +1719,12 @@
         <message>
             <location filename="../../gui/frames/field_form_view.py" />
             <source>Scale</source>
-            <translation type="unfinished" />
+            <translation>Масштаб</translation>
         </message>
         <message>
             <location filename="../../gui/frames/field_form_view.py" />
             <source>Offset</source>
-            <translation type="unfinished" />
+            <translation>Зсув</translation>
         </message>
         <message>
             <location filename="../../gui/frames/field_form_view.py" />
@@ -1734,57 +1734,57 @@
         <message>
             <location filename="../../gui/frames/field_form_view.py" />
             <source>Role</source>
-            <translation type="unfinished" />
+            <translation>Роль</translation>
         </message>
         <message>
             <location filename="../../gui/frames/field_form_view.py" />
             <source>little endian</source>
-            <translation type="unfinished" />
+            <translation>молодший байт перший</translation>
         </message>
         <message>
             <location filename="../../gui/frames/field_form_view.py" />
             <source>big endian</source>
-            <translation type="unfinished" />
+            <translation>старший байт перший</translation>
         </message>
         <message>
             <location filename="../../gui/frames/field_form_view.py" />
             <source>Byte order</source>
-            <translation type="unfinished" />
+            <translation>Порядок байтів</translation>
         </message>
         <message>
             <location filename="../../gui/frames/field_form_view.py" />
             <source>A number or an expression, such as 20*9.80665/65536</source>
-            <translation type="unfinished" />
+            <translation>Число або вираз, наприклад 20*9.80665/65536</translation>
         </message>
         <message>
             <location filename="../../gui/frames/field_form_view.py" />
             <source>Tells the program what it measures: acc in m/s^2, rate in deg/s, temp in degC</source>
-            <translation type="unfinished" />
+            <translation>Каже програмі, що вимірюється: acc у m/s^2, rate у deg/s, temp у degC</translation>
         </message>
         <message>
             <location filename="../../gui/frames/field_form_view.py" />
             <source>No channel</source>
-            <translation type="unfinished" />
+            <translation>Не канал</translation>
         </message>
         <message>
             <location filename="../../gui/frames/field_form_view.py" />
             <source>Add field</source>
-            <translation type="unfinished" />
+            <translation>Додати поле</translation>
         </message>
         <message>
             <location filename="../../gui/frames/field_form_view.py" />
             <source>Makes numbers of the bytes pointed at (Enter)</source>
-            <translation type="unfinished" />
+            <translation>Робить числа з позначених байтів (Enter)</translation>
         </message>
         <message>
             <location filename="../../gui/frames/field_form_view.py" />
             <source>Remove field</source>
-            <translation type="unfinished" />
+            <translation>Прибрати поле</translation>
         </message>
         <message>
             <location filename="../../gui/frames/field_form_view.py" />
             <source>Takes away the fields on the bytes pointed at (Delete)</source>
-            <translation type="unfinished" />
+            <translation>Прибирає поля на позначених байтах (Delete)</translation>
         </message>
     </context>
     <context>
@@ -1840,12 +1840,12 @@
         <message>
             <location filename="../../gui/frames/view.py" />
             <source>Bytes of the stream, one frame a row</source>
-            <translation type="unfinished" />
+            <translation>Байти потоку, по кадру в рядку</translation>
         </message>
         <message>
             <location filename="../../gui/frames/view.py" />
             <source>Numbers of the board</source>
-            <translation type="unfinished" />
+            <translation>Числа плати</translation>
         </message>
     </context>
     <context>
@@ -3630,7 +3630,7 @@
         <message>
             <location filename="../../gui/accuracy/certified.py" />
             <source>{kind} against the angles of the dividing head</source>
-            <translation type="unfinished" />
+            <translation>{kind} за кутами ділильної головки</translation>
         </message>
         <message>
             <location filename="../../gui/accuracy/guide.py" />
@@ -4335,6 +4335,16 @@ Every session and calibration of the folder of sessions comes here by itself. Im
             <location filename="../../gui/archive/presenter.py" />
             <source>Open</source>
             <translation>Відкрити</translation>
+        </message>
+        <message>
+            <location filename="../../gui/archive/presenter.py" />
+            <source>Certificate</source>
+            <translation>Сертифікат</translation>
+        </message>
+        <message>
+            <location filename="../../gui/archive/presenter.py" />
+            <source>Choose a session, a run, an old file or a calibration.</source>
+            <translation>Виберіть сеанс, серію, старий файл або калібрування.</translation>
         </message>
         <message>
             <location filename="../../gui/archive/presenter.py" />
@@ -5709,8 +5719,53 @@ State the noise of the gyro at the left, or take it from a record, to see how lo
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
+            <source>Candidates</source>
+            <translation>Кандидати</translation>
+        </message>
+        <message>
+            <location filename="../../gui/keys/own_keys.py" />
+            <source>Choose it</source>
+            <translation>Вибрати його</translation>
+        </message>
+        <message>
+            <location filename="../../gui/keys/own_keys.py" />
+            <source>Bytes of a board</source>
+            <translation>Байти плати</translation>
+        </message>
+        <message>
+            <location filename="../../gui/keys/own_keys.py" />
+            <source>Point at another byte</source>
+            <translation>Вказати на інший байт</translation>
+        </message>
+        <message>
+            <location filename="../../gui/keys/own_keys.py" />
+            <source>Select bytes</source>
+            <translation>Вибрати байти</translation>
+        </message>
+        <message>
+            <location filename="../../gui/keys/own_keys.py" />
+            <source>Add a field</source>
+            <translation>Додати поле</translation>
+        </message>
+        <message>
+            <location filename="../../gui/keys/own_keys.py" />
+            <source>Remove the field</source>
+            <translation>Прибрати поле</translation>
+        </message>
+        <message>
+            <location filename="../../gui/keys/own_keys.py" />
+            <source>Preview of a certificate</source>
+            <translation>Перегляд сертифіката</translation>
+        </message>
+        <message>
+            <location filename="../../gui/keys/own_keys.py" />
+            <source>Turn the page</source>
+            <translation>Перегорнути сторінку</translation>
+        </message>
+        <message>
+            <location filename="../../gui/keys/own_keys.py" />
             <source>Tour</source>
-            <translation type="unfinished" />
+            <translation>Огляд</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
@@ -6403,42 +6458,42 @@ Simulated cycle (F6) shows the tab on a made-up unit.</source>
         <message>
             <location filename="../../gui/tour/steps.py" />
             <source>The device</source>
-            <translation type="unfinished" />
+            <translation>Пристрій</translation>
         </message>
         <message>
             <location filename="../../gui/tour/steps.py" />
             <source>A simulated sensor unit is connected; a real one is found by Properties, Scan. This line tells whether samples come, how fast, and whether any are bad or lost.</source>
-            <translation type="unfinished" />
+            <translation>Під'єднано симульований блок датчиків; справжній знаходять через «Властивості», «Пошук». Цей рядок каже, чи надходять відліки, як швидко, і чи є хибні або втрачені.</translation>
         </message>
         <message>
             <location filename="../../gui/tour/steps.py" />
             <source>The plan</source>
-            <translation type="unfinished" />
+            <translation>План</translation>
         </message>
         <message>
             <location filename="../../gui/tour/steps.py" />
             <source>Every position that this test wants, with its picture. The marked one is next; a click, a digit, or the arrows and Enter pick another.</source>
-            <translation type="unfinished" />
+            <translation>Кожне положення, потрібне цьому випробуванню, з рисунком. Позначене — наступне; клацання, цифра або стрілки й Enter вибирають інше.</translation>
         </message>
         <message>
             <location filename="../../gui/tour/steps.py" />
             <source>What to do now</source>
-            <translation type="unfinished" />
+            <translation>Що робити зараз</translation>
         </message>
         <message>
             <location filename="../../gui/tour/steps.py" />
             <source>The order of the moment in large letters: turn, wait, measuring, done. F11 gives it the whole screen, so that it is read from the dividing head.</source>
-            <translation type="unfinished" />
+            <translation>Наказ моменту великими літерами: повернути, чекати, вимірювання, готово. F11 дає йому весь екран, щоб читати від ділильної головки.</translation>
         </message>
         <message>
             <location filename="../../gui/tour/steps.py" />
             <source>The simulated rig</source>
-            <translation type="unfinished" />
+            <translation>Симульований стенд</translation>
         </message>
         <message>
             <location filename="../../gui/tour/steps.py" />
             <source>Drag the hand of the dial, or let Operator turns it for me do it. Faults can be tried as well: unplug the cable, and see that nothing is lost.</source>
-            <translation type="unfinished" />
+            <translation>Потягніть стрілку шкали або дайте «Оператор повертає за мене» зробити це. Можна випробувати й несправності: від'єднайте кабель і побачите, що нічого не втрачено.</translation>
         </message>
         <message>
             <location filename="../../gui/tour/steps.py" />
@@ -6448,37 +6503,37 @@ Simulated cycle (F6) shows the tab on a made-up unit.</source>
         <message>
             <location filename="../../gui/tour/steps.py" />
             <source>Space accumulates, here and in every tab. Backspace repeats the last position, Ctrl+Z takes it back, Esc stops. Switch Hands-free on, and a turned and resting head is enough. At the end Process Data (F5), then Export.</source>
-            <translation type="unfinished" />
+            <translation>Space накопичує, тут і в кожній вкладці. Backspace повторює останнє положення, Ctrl+Z скасовує його, Esc зупиняє. Увімкніть «Без рук», і досить повернути головку та зачекати. Наприкінці «Обробити дані» (F5), потім «Експорт».</translation>
         </message>
         <message>
             <location filename="../../gui/tour/steps.py" />
             <source>Settings of the test</source>
-            <translation type="unfinished" />
+            <translation>Налаштування випробування</translation>
         </message>
         <message>
             <location filename="../../gui/tour/steps.py" />
             <source>Times, local gravity and its uncertainty, uncertainty of the head. What holds for the whole laboratory stands in Preferences (Ctrl+,).</source>
-            <translation type="unfinished" />
+            <translation>Часи, місцеве g і його невизначеність, невизначеність головки. Те, що спільне для лабораторії, — у «Налаштуваннях» (Ctrl+,).</translation>
         </message>
         <message>
             <location filename="../../gui/tour/steps.py" />
             <source>The other tabs</source>
-            <translation type="unfinished" />
+            <translation>Інші вкладки</translation>
         </message>
         <message>
             <location filename="../../gui/tour/steps.py" />
             <source>Gyros on the rate table, a check of the accuracy, live charts, noise, thermal tests, drift tables; Archive finds everything again by serial number. Ctrl and a digit open a tab.</source>
-            <translation type="unfinished" />
+            <translation>Гіроскопи на поворотному стенді, перевірка точності, живі графіки, шум, температурні випробування, таблиці дрейфу; «Архів» знаходить усе за заводським номером. Ctrl і цифра відкривають вкладку.</translation>
         </message>
         <message>
             <location filename="../../gui/tour/steps.py" />
             <source>Menu and help</source>
-            <translation type="unfinished" />
+            <translation>Меню і довідка</translation>
         </message>
         <message>
             <location filename="../../gui/tour/steps.py" />
             <source>Light or dark, sounds, preferences, and this tour again. F1 shows all keys. That is all: press Space at any position, and the first calibration begins.</source>
-            <translation type="unfinished" />
+            <translation>Світлий або темний вигляд, звуки, налаштування і цей огляд знову. F1 показує всі клавіші. Це все: натисніть Space у будь-якому положенні, і перше калібрування почнеться.</translation>
         </message>
         <message>
             <location filename="../../gui/tumble/findings.py" />
@@ -7106,7 +7161,7 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         <message>
             <location filename="../../gui/app.py" />
             <source>Teach a board</source>
-            <translation type="unfinished" />
+            <translation>Навчити плату</translation>
         </message>
         <message>
             <location filename="../../gui/app.py" />
@@ -7132,21 +7187,6 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
             <location filename="../../gui/app.py" />
             <source>Simulated assembly</source>
             <translation>Симульована збірка</translation>
-        </message>
-        <message>
-            <location filename="../../gui/app.py" />
-            <source>A fault inside the program</source>
-            <translation>Помилка всередині програми</translation>
-        </message>
-        <message>
-            <location filename="../../gui/app.py" />
-            <source>{name}: {fault}. What was accepted is on the disk.</source>
-            <translation>{name}: {fault}. Прийняте вже на диску.</translation>
-        </message>
-        <message>
-            <location filename="../../gui/app.py" />
-            <source>Go on; if something behaves oddly, start the program anew and resume.</source>
-            <translation>Продовжуйте; якщо щось працює дивно, запустіть програму знову і продовжте сеанс.</translation>
         </message>
         <message>
             <location filename="../../gui/app.py" />
@@ -7686,12 +7726,12 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         <message>
             <location filename="../../gui/frames/definition_view.py" />
             <source>Saved: {saved}</source>
-            <translation type="unfinished" />
+            <translation>Збережено: {saved}</translation>
         </message>
         <message>
             <location filename="../../gui/frames/fields_view.py" />
             <source>{hint}, no channel</source>
-            <translation type="unfinished" />
+            <translation>{hint}, не канал</translation>
         </message>
         <message>
             <location filename="../../gui/frames/listening.py" />
@@ -7900,18 +7940,13 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         </message>
         <message>
             <location filename="../../gui/frames/texts.py" />
-            <source>{at} to {last}</source>
-            <translation>від {at} до {last}</translation>
-        </message>
-        <message>
-            <location filename="../../gui/frames/texts.py" />
             <source>Neither frames nor lines were found. Is the baud rate right? Noise at every speed means another parity, or a signal that is no serial one.</source>
             <translation>Не знайдено ні кадрів, ні рядків. Чи правильна швидкість? Шум на кожній швидкості означає іншу парність або сигнал, що не є послідовним.</translation>
         </message>
         <message>
             <location filename="../../gui/frames/view.py" />
             <source>Drag over columns to point at bytes, Enter makes numbers of them, Delete takes them away. A double click points at a whole part.</source>
-            <translation type="unfinished" />
+            <translation>Протягніть по стовпцях, щоб позначити байти; Enter робить з них числа, Delete прибирає. Подвійне клацання позначає всю частину.</translation>
         </message>
         <message>
             <location filename="../../gui/gyrocompass/page.py" />
@@ -7927,6 +7962,21 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
             <location filename="../../gui/gyrocompass/working.py" />
             <source>how long to average depends on the latitude: state it</source>
             <translation>тривалість усереднення залежить від широти: вкажіть її</translation>
+        </message>
+        <message>
+            <location filename="../../gui/hooks.py" />
+            <source>A fault inside the program</source>
+            <translation>Помилка всередині програми</translation>
+        </message>
+        <message>
+            <location filename="../../gui/hooks.py" />
+            <source>{name}: {fault}. What was accepted is on the disk.</source>
+            <translation>{name}: {fault}. Прийняте вже на диску.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/hooks.py" />
+            <source>Go on; if something behaves oddly, start the program anew and resume.</source>
+            <translation>Продовжуйте; якщо щось працює дивно, запустіть програму знову і продовжте сеанс.</translation>
         </message>
         <message>
             <location filename="../../gui/jobs.py" />
@@ -7946,7 +7996,7 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         <message>
             <location filename="../../gui/keys/own_keys.py" />
             <source>Callout</source>
-            <translation type="unfinished" />
+            <translation>Підказка</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
@@ -7992,6 +8042,11 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
             <location filename="../../gui/keys/own_keys.py" />
             <source>Shift+Left Shift+Right</source>
             <translation>Shift+Left Shift+Right</translation>
+        </message>
+        <message>
+            <location filename="../../gui/keys/own_keys.py" />
+            <source>Del</source>
+            <translation>Del</translation>
         </message>
         <message>
             <location filename="../../gui/keys/showing.py" />
@@ -8102,6 +8157,11 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
             <location filename="../../gui/live/keeper.py" />
             <source>CVGCom's file ends here</source>
             <translation>Файл CVGCom тут закінчується</translation>
+        </message>
+        <message>
+            <location filename="../../gui/live/keeper.py" />
+            <source>The end of the record is not stored</source>
+            <translation>Кінець запису не збережено</translation>
         </message>
         <message>
             <location filename="../../gui/live/keeper.py" />
@@ -8995,22 +9055,22 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../gui/tour/tour.py" />
             <source>New to CalRig?</source>
-            <translation type="unfinished" />
+            <translation>Уперше в CalRig?</translation>
         </message>
         <message>
             <location filename="../../gui/tour/tour.py" />
             <source>A tour on the simulated rig shows the window in two minutes; it also waits in Menu, Help.</source>
-            <translation type="unfinished" />
+            <translation>Огляд на симульованому стенді за дві хвилини показує вікно; він є також у «Меню», «Довідка».</translation>
         </message>
         <message>
             <location filename="../../gui/tour/tour.py" />
             <source>Start the tour</source>
-            <translation type="unfinished" />
+            <translation>Почати огляд</translation>
         </message>
         <message>
             <location filename="../../gui/tour/tour.py" />
             <source>Not now</source>
-            <translation type="unfinished" />
+            <translation>Не зараз</translation>
         </message>
         <message>
             <location filename="../../gui/tumble/findings.py" />
@@ -9411,6 +9471,16 @@ Without a command the window opens.</translation>
             <location filename="../../core/archive/database.py" />
             <source>{name}: the disk is full; {safe}: free some space, then refresh</source>
             <translation>{name}: диск заповнено; {safe}: звільніть місце, потім оновіть</translation>
+        </message>
+        <message>
+            <location filename="../../core/archive/database.py" />
+            <source>disk I/O</source>
+            <translation>disk I/O</translation>
+        </message>
+        <message>
+            <location filename="../../core/archive/database.py" />
+            <source>{name}: the disk is full or does not answer ({said}); {safe}: free some space or connect it again, then refresh</source>
+            <translation>{name}: диск заповнено або не відповідає ({said}); {safe}: звільніть місце або під'єднайте його знову, потім оновіть</translation>
         </message>
         <message>
             <location filename="../../core/archive/database.py" />
@@ -9979,6 +10049,11 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/problem.py" />
+            <source>{name} is left out: its own input never changes in these rows; add positions</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/problem.py" />
             <source>{channels}: the input along {axis} does not change; add positions</source>
             <translation>{channels}: вхід уздовж {axis} не змінюється; додайте положення</translation>
         </message>
@@ -10116,6 +10191,11 @@ Without a command the window opens.</translation>
             <location filename="../../core/discrepancy/record_problem.py" />
             <source>any effect of time</source>
             <translation>будь-який ефект часу</translation>
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/row_facts.py" />
+            <source>all {len} rows of {minutes} min have the same temperature to the last digit, {values} degC: it does not come from the thermometer of the unit; effects of temperature cannot be judged</source>
+            <translation>усі {len} рядків за {minutes} min мають температуру {values} °C, однакову до останньої цифри: вона не з термометра виробу; ефекти температури оцінити не можна</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/steps.py" />
@@ -10784,8 +10864,8 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
-            <source>bL * (T lagged by tau) ...</source>
-            <translation>bL * (T із запізненням tau) ...</translation>
+            <source>bL * (T lagged by tau)</source>
+            <translation>bL * (T із запізненням tau)</translation>
         </message>
         <message>
             <location filename="../../core/model/catalogue/record.py" />
@@ -13928,6 +14008,11 @@ Without a command the window opens.</translation>
             <translation>{path}: втрачено відліки; через пропуски не можна усереднювати</translation>
         </message>
         <message>
+            <location filename="../../core/records/series_run.py" />
+            <source>there is no output {output}; there are: {join}</source>
+            <translation>виходу {output} немає; є: {join}</translation>
+        </message>
+        <message>
             <location filename="../../core/records/series_text.py" />
             <source>no row of numbers in the first {min} lines; is it a record?</source>
             <translation>немає рядка чисел у перших {min} рядках; чи це запис?</translation>
@@ -14604,8 +14689,18 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../drivers/recorder.py" />
+            <source>{path}: the disk has not taken the end of the record for {join_s} s</source>
+            <translation>{path}: диск не прийняв кінець запису за {join_s} s</translation>
+        </message>
+        <message>
+            <location filename="../../drivers/recorder.py" />
             <source>other channels</source>
             <translation>інші канали</translation>
+        </message>
+        <message>
+            <location filename="../../drivers/recorder.py" />
+            <source>{path}: the recorder was stopped by an error inside the program ({fault}); what it had stored before is whole: start a new record</source>
+            <translation>{path}: запис зупинено помилкою в програмі ({fault}); те, що збережено раніше, ціле: почніть новий запис</translation>
         </message>
         <message>
             <location filename="../../drivers/recorder.py" />
@@ -15208,12 +15303,12 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../gui/frames/source_view.py" />
             <source>Stop listening</source>
-            <translation type="unfinished" />
+            <translation>Припинити</translation>
         </message>
         <message>
             <location filename="../../gui/frames/source_view.py" />
             <source>Listen</source>
-            <translation type="unfinished" />
+            <translation>Слухати</translation>
         </message>
         <message>
             <location filename="../../gui/frames/source_view.py" />
@@ -15228,42 +15323,42 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../gui/frames/source_view.py" />
             <source>Raw log…</source>
-            <translation type="unfinished" />
+            <translation>Журнал…</translation>
         </message>
         <message>
             <location filename="../../gui/frames/source_view.py" />
             <source>Take the bytes of a raw log, a recording, or any file</source>
-            <translation type="unfinished" />
+            <translation>Узяти байти з необробленого журналу, запису або будь-якого файла</translation>
         </message>
         <message>
             <location filename="../../gui/frames/source_view.py" />
             <source>Find layout</source>
-            <translation type="unfinished" />
+            <translation>Знайти будову</translation>
         </message>
         <message>
             <location filename="../../gui/frames/source_view.py" />
             <source>Looks for frames, checksum and numbers in the latest bytes (F5)</source>
-            <translation type="unfinished" />
+            <translation>Шукає кадри, контрольну суму і числа в останніх байтах (F5)</translation>
         </message>
         <message>
             <location filename="../../gui/frames/source_view.py" />
             <source>Hold</source>
-            <translation type="unfinished" />
+            <translation>Утримати</translation>
         </message>
         <message>
             <location filename="../../gui/frames/source_view.py" />
             <source>Opens the port and only listens; nothing is sent</source>
-            <translation type="unfinished" />
+            <translation>Відкриває порт і лише слухає; нічого не надсилається</translation>
         </message>
         <message>
             <location filename="../../gui/frames/source_view.py" />
             <source>Raw bytes</source>
-            <translation type="unfinished" />
+            <translation>Необроблені байти</translation>
         </message>
         <message>
             <location filename="../../gui/frames/source_view.py" />
             <source>Raw logs and recordings (*.calrec)</source>
-            <translation type="unfinished" />
+            <translation>Необроблені журнали і записи (*.calrec)</translation>
         </message>
         <message>
             <location filename="../../gui/frames/source_view.py" />
@@ -15486,12 +15581,12 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../gui/frames/fields_view.py" />
             <source>Name</source>
-            <translation type="unfinished" />
+            <translation>Назва</translation>
         </message>
         <message>
             <location filename="../../gui/frames/fields_view.py" />
             <source>Bytes</source>
-            <translation type="unfinished" />
+            <translation>Байти</translation>
         </message>
         <message>
             <location filename="../../gui/frames/fields_view.py" />
@@ -15506,12 +15601,12 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../gui/frames/fields_view.py" />
             <source>Course</source>
-            <translation type="unfinished" />
+            <translation>Хід</translation>
         </message>
         <message>
             <location filename="../../gui/frames/fields_view.py" />
             <source>Looks like</source>
-            <translation type="unfinished" />
+            <translation>Схоже на</translation>
         </message>
     </context>
     <context>

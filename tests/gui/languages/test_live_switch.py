@@ -1,0 +1,103 @@
+"""The whole window changes its language while it runs, and back again."""
+
+import re
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from gui.app import Application, Options
+from gui.languages import update
+from gui.languages.shown import SHOWN
+from gui.languages.ts_file import read_ts
+from tests.gui.languages.window_words import words_of
+
+CYRILLIC = re.compile("[А-Яа-яІіЇїЄєҐґ]")
+PHRASE = re.compile(r"\b[a-z]{3,} [a-z]{3,}\b")
+KEPT = re.compile(
+    r"English|Українська|ODH|\.txt|\.json|://"
+    r"|Accumulate Data|Process Data|Load Data|sampling process"
+)
+"""Names, labels of the old programs, and what the file dialog filters by."""
+
+
+@pytest.fixture
+def start(qtbot: QtBot, tmp_path: Path) -> Iterator[Callable[[], Application]]:
+    """Open the window, always on the same preferences; in English the first time."""
+    settings = tmp_path / "set.json"
+    settings.write_text('{"window": {"language": "en"}}', encoding="utf-8")
+    opened: list[Application] = []
+
+    def begin() -> Application:
+        qt = QApplication.instance()
+        assert isinstance(qt, QApplication)
+        app = Application(qt, Options(root=tmp_path / "data", settings=settings, quiet=True))
+        qtbot.addWidget(app.window)
+        opened.append(app)
+        with qtbot.waitSignal(app.ready, timeout=60_000):
+            app.start()
+        return app
+
+    yield begin
+    for app in opened:
+        app.languages.choose("en")
+        app.close()
+
+
+def english_left(app: Application) -> list[tuple[str, str]]:
+    """Texts that have a translation and are on the screen in English, or look like English."""
+    messages = read_ts(update.FOLDER / "calrig_uk.ts")
+    english = {m.source for m in messages if m.translation != m.source}
+    ukrainian = {m.translation for m in messages}
+    return [
+        (kind, text)
+        for kind, text in words_of(app.window)
+        if not KEPT.search(text)
+        and text not in ukrainian
+        and (text in english or (PHRASE.search(text) and not CYRILLIC.search(text)))
+    ]
+
+
+def switch(app: Application, language: str, qtbot: QtBot) -> None:
+    app.window.menu.languages[language].trigger()
+    qtbot.wait(300)
+
+
+def test_nothing_of_the_other_language_is_left(start: Callable[[], Application], qtbot: QtBot):
+    app = start()
+    for tab in app.tabs.values():
+        app.window.tabs.setCurrentWidget(tab.widget)
+        qtbot.wait(30)
+    before = set(words_of(app.window))
+    switch(app, "uk", qtbot)
+    left = english_left(app)
+    assert left == [], "\n".join(sorted({f"{k}: {t}" for k, t in left}))
+    switch(app, "en", qtbot)
+    foreign = [
+        (kind, text)
+        for kind, text in words_of(app.window)
+        if CYRILLIC.search(text) and text != "Українська"
+    ]
+    assert foreign == []
+    # Results that come meanwhile add words; none may stay away.
+    assert before - set(words_of(app.window)) == set()
+
+
+def test_the_language_is_remembered(start: Callable[[], Application], qtbot: QtBot):
+    first = start()
+    switch(first, "uk", qtbot)
+    first.window.close()
+    second = start()
+    assert second.languages.choice == "uk"
+    assert second.window.menu.languages["uk"].isChecked()
+    assert second.window.tabs.tabText(0) == "Ділильна головка"
+    assert second.window.tabs.tabToolTip(0) == "Dividing head"
+
+
+def test_states_are_in_one_context():
+    messages = read_ts(update.FOLDER / "calrig_uk.ts")
+    shown = [m for m in messages if m.context == SHOWN]
+    assert len(shown) > 1000
+    assert len({m.source for m in shown}) == len(shown)
