@@ -21,6 +21,7 @@ from pathlib import Path
 from typing import BinaryIO, cast
 
 from core.errors import FormatError, StorageError
+from core.records.atomic import sync_folder
 
 MAGIC = b"CALREC1\n"
 _HEAD = struct.Struct("<8sII")
@@ -83,11 +84,14 @@ class BlockWriter:
         try:
             self._put(head)
             self.sync()
-            _sync_folder(path.parent)
-        except StorageError:
+            # Without its name on the disk a power cut takes the whole file of the first seconds.
+            sync_folder(path.parent)
+        except (StorageError, OSError) as error:
             os.close(self._fd)
             path.unlink(missing_ok=True)
-            raise
+            if isinstance(error, StorageError):
+                raise
+            raise StorageError(f"{path}: not safe on disk: {error.strerror}") from error
 
     def append(self, tag: bytes, payload: bytes) -> None:
         """Write one block; it survives the end of this process, not yet of the machine.
@@ -260,14 +264,3 @@ def _sync(fd: int) -> None:
         os.fdatasync(fd)
     else:
         os.fsync(fd)
-
-
-def _sync_folder(folder: Path) -> None:
-    """Make a new name durable: without it a power cut takes the whole file of the first seconds."""
-    if sys.platform == "win32":
-        return  # a folder cannot be opened there; NTFS keeps a journal of names
-    fd = os.open(folder, os.O_RDONLY)
-    try:
-        os.fsync(fd)
-    finally:
-        os.close(fd)

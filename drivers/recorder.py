@@ -15,6 +15,7 @@ operator, ``"ended"`` with the counts of the whole record.
 
 import contextlib
 import struct
+import sys
 import threading
 import time
 from collections import Counter
@@ -132,6 +133,7 @@ class Recorder:
         self._counts: Counter[str] = Counter()
         self._flushed, self._gathered = time.monotonic(), 0
         self._end: _Turn | None = None
+        self._fault: StorageError | None = None
         self._thread = threading.Thread(target=self._run, name="calrig recorder", daemon=True)
         self._thread.start()
 
@@ -157,7 +159,12 @@ class Recorder:
     @property
     def error(self) -> StorageError | None:
         """Why the latest samples are not stored; None while all are."""
-        return self._log.error
+        return self._fault or self._log.error
+
+    @property
+    def closed(self) -> bool:
+        """Whether the file has been closed: nothing more comes to it, and `error` is final."""
+        return not self._thread.is_alive()
 
     @property
     def count(self) -> int:
@@ -204,10 +211,27 @@ class Recorder:
         """End the file and wait for it; may be called again."""
         self.end()
         self._thread.join(_JOIN_S)
+        if self._thread.is_alive():
+            self._fault = StorageError(
+                f"{self.path}: the disk has not taken the end of the record for {_JOIN_S:g} s"
+            )
 
     # For the recorder's own thread.
 
     def _run(self) -> None:
+        try:
+            self._work()
+        finally:
+            fault = sys.exception()
+            if fault is not None:
+                self._held = True
+                self._fault = StorageError(
+                    f"{self.path}: the recorder was stopped by an error inside the program"
+                    f" ({fault!r}); what it had stored before is whole: start a new record"
+                )
+                self._log.close()
+
+    def _work(self) -> None:
         while True:
             try:
                 item = self._queue.get(timeout=_FLUSH_S)

@@ -95,6 +95,11 @@ def _words(name: str, error: SQLAlchemyError) -> str:
         return f"{name}: cannot be written ({said}); {safe}"
     if "disk is full" in said or "No space" in said:
         return f"{name}: the disk is full; {safe}: free some space, then refresh"
+    if "disk I/O" in said:
+        return (
+            f"{name}: the disk is full or does not answer ({said}); {safe}: free some space or"
+            " connect it again, then refresh"
+        )
     return f"{name}: the database of the archive refuses ({said}); {safe}"
 
 

@@ -56,6 +56,7 @@ class Keeper(QObject):
         self.link: Link | None = None
         self._files: tuple[Path, ...] = ()
         self._told = ""
+        self._ending: list[Recorder] = []
         self._growth = 0.0
         self._looked = -math.inf
         self.lasting = ""
@@ -147,6 +148,7 @@ class Keeper(QObject):
         if self.link is not None:
             self.link.tap(None)
         self.recorder.end()
+        self._ending.append(self.recorder)
         self.recorder, self.link = None, None
         self._messages.clear(DISK)
 
@@ -173,6 +175,7 @@ class Keeper(QObject):
 
     def watch(self) -> None:
         """Tell of a disk that refuses or will; what was written stays readable."""
+        self._look_at_ended()
         recorder = self.recorder
         if recorder is None:
             self.lasting = ""
@@ -188,6 +191,15 @@ class Keeper(QObject):
         else:
             what = "Samples are not recorded" if recorder.error else "CVGCom's file ends here"
             self._messages.tell_error(SOURCE, what, error)
+
+    def _look_at_ended(self) -> None:
+        """Tell what of an ended record found no room; its thread writes the last of it."""
+        for recorder in [one for one in self._ending if one.closed]:
+            self._ending.remove(recorder)
+            error = recorder.error or recorder.text_error
+            if error is not None:
+                what = "The end of the record is not stored"
+                self._messages.tell_error(SOURCE, what, error)
 
     def _look_at_disk(self, folder: Path) -> None:
         now = time.monotonic()

@@ -4,6 +4,7 @@ import os
 import signal
 import subprocess
 import sys
+import threading
 import time
 from pathlib import Path
 
@@ -250,3 +251,34 @@ def test_a_full_disk_is_told_and_what_was_written_stays_readable(tmp_path, freed
 
 def test_the_rig_has_a_device_whose_floats_are_single():
     assert rig_of("sim://cvg25?name=wire").profile.id == "cvgx48"
+
+
+@pytest.mark.filterwarnings("ignore::pytest.PytestUnhandledThreadExceptionWarning")
+def test_an_error_inside_the_recorder_is_told_and_costs_nothing_before(tmp_path, monkeypatch):
+    writer = recorder(tmp_path / "a.calrec")
+    writer.say(block(0, 100))
+    assert writer.flush()
+
+    def broken(*_) -> None:
+        raise ZeroDivisionError("a bug")
+
+    monkeypatch.setattr(writer, "_store", broken)
+    writer.say(block(100, 100))
+    wait_for(lambda: writer.closed)
+    assert "error inside the program (ZeroDivisionError('a bug'))" in str(writer.error)
+    writer.say(block(200, 100))
+    assert writer._queue.empty(), "nothing piles up behind a thread that has ended"
+    writer.close()
+    assert len(read_recording(tmp_path / "a.calrec")) == 100
+
+
+def test_a_disk_that_does_not_take_the_end_is_told(tmp_path, monkeypatch):
+    writer = recorder(tmp_path / "a.calrec")
+    free = threading.Event()
+    monkeypatch.setattr("drivers.recorder._JOIN_S", 0.05)
+    monkeypatch.setattr(writer, "_flush", free.wait)
+    writer.close()
+    assert not writer.closed
+    assert "has not taken the end of the record" in str(writer.error)
+    free.set()
+    wait_for(lambda: writer.closed)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from core.errors import FormatError, StorageError
 from core.plans.plan import Plan
-from core.records.atomic import not_stored
+from core.records.atomic import not_stored, sync_folder
 from core.records.names import safe_name
 from core.records.session.record import START_NAME, SessionRecord, read_session
 
@@ -29,6 +29,8 @@ def new_session_folder(root: Path, started: datetime, device: str, plan: Plan) -
         folder = root / (name if count == 1 else f"{name}_{count}")
         try:
             folder.mkdir(parents=True)
+            # Until its name is on the disk, a power cut takes the folder with all that is in it.
+            sync_folder(root)
         except FileExistsError:
             continue
         except OSError as error:

@@ -177,7 +177,7 @@ def _run(record: SessionRecord, sensor: str) -> Run:
             ),
         },
         meta=_meta(record),
-        notes=(*record.notes, *_position_notes(positions)),
+        notes=(*record.notes, *_clock_notes(positions), *_position_notes(positions)),
     )
 
 
@@ -282,6 +282,20 @@ def _meta(record: SessionRecord) -> dict[str, str | float | bool]:
         "base_psi_deg": base.psi_deg,
         **{f"tilter_{name}": value for name, value in start.tilter.items()},
     }
+
+
+def _clock_notes(positions: tuple[Position, ...]) -> list[Note]:
+    """A clock that was set back while the session was measured."""
+    times = [datetime.fromisoformat(position.measured_utc) for position in positions]
+    for before, after, one, other in zip(positions, positions[1:], times, times[1:], strict=False):
+        if other < one:
+            text = (
+                f"the computer's clock was set back between positions {before.step.number} and"
+                f" {after.step.number} ({one:%Y-%m-%d %H:%M:%S}, then {other:%Y-%m-%d %H:%M:%S}"
+                " UTC): their order is right, their times are not; do not judge drift by them"
+            )
+            return [Note(Severity.WARNING, "clock_set_back", text)]
+    return []
 
 
 def _position_notes(positions: tuple[Position, ...]) -> list[Note]:

@@ -76,9 +76,16 @@ class Session:
         lock = SessionLock(folder / LOCK_NAME)
         try:
             journal = Journal(folder / JOURNAL_NAME, create=True)
+        except LabError:
+            lock.release()
+            raise
+        try:
             # The start document comes last: a folder is a session once it is there.
             write_text_atomic(folder / START_NAME, start_to_text(start))
         except LabError:
+            journal.close()
+            # Left behind, the empty journal would keep the folder from ever being taken.
+            (folder / JOURNAL_NAME).unlink(missing_ok=True)
             lock.release()
             raise
         return cls(SessionRecord(folder, start, ()), journal, lock, now)

@@ -1,4 +1,6 @@
+import errno
 import os
+import stat
 import subprocess
 import sys
 from pathlib import Path
@@ -83,3 +85,22 @@ def test_appending_goes_to_the_end(tmp_path):
     append_durable(handle, b"two")
     os.close(handle)
     assert path.read_bytes() == b"one two"
+
+
+@pytest.mark.skipif(os.name == "nt", reason="no folder is opened there")
+@pytest.mark.parametrize(("number", "matters"), [(errno.EINVAL, False), (errno.EIO, True)])
+def test_a_network_folder_that_knows_no_sync_of_names(tmp_path, monkeypatch, number, matters):
+    real = os.fsync
+
+    def fsync(handle: int) -> None:
+        if stat.S_ISDIR(os.fstat(handle).st_mode):
+            raise OSError(number, os.strerror(number))
+        real(handle)
+
+    monkeypatch.setattr(os, "fsync", fsync)
+    if matters:
+        with pytest.raises(StorageError, match="Input/output error"):
+            write_text_atomic(tmp_path / "a", "x")
+    else:
+        write_text_atomic(tmp_path / "a", "x")
+        assert (tmp_path / "a").read_text() == "x"

@@ -5,6 +5,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
 
+from core.errors import StorageError
 from core.records.cvgcom import read_cvgcom
 from drivers.recording import read_recording
 from gui.live.state import Phase
@@ -91,6 +92,20 @@ def test_marks_cursors_statistics_and_clipboard(driver):
     press(driver, "watch")
     driver.until(lambda: read_recording(path).ended)
     assert [mark.note for mark in read_recording(path).marks] == ["door opened"]
+
+
+def test_a_record_whose_end_found_no_room_is_told(driver, monkeypatch):
+    tab, _, _ = live_of(driver)
+    record(driver, 200)
+    press(driver, "stop")
+
+    def refuse() -> None:
+        raise StorageError("the disk is full")
+
+    monkeypatch.setattr(tab.keeper.recorder._log._file, "close", refuse)
+    press(driver, "watch")
+    told = "The end of the record is not stored"
+    driver.until(lambda: getattr(driver.app.messages.current, "what", "") == told)
 
 
 def test_discard_puts_the_record_aside(driver):

@@ -24,6 +24,13 @@ def test_folders_are_named_by_time_device_and_plan(tmp_path, start):
     assert all(folder.is_dir() and folder.parent == tmp_path / "root" for folder in folders)
 
 
+def test_the_name_of_a_new_folder_is_on_the_disk(tmp_path, start, monkeypatch):
+    synced = []
+    monkeypatch.setattr("core.records.session.find.sync_folder", synced.append)
+    new_session_folder(tmp_path / "root", datetime(2024, 5, 14), "PW09", start.plan)
+    assert synced == [tmp_path / "root"]
+
+
 def test_a_root_that_cannot_be_written(tmp_path, start):
     file = tmp_path / "file"
     file.write_text("x")

@@ -1,5 +1,6 @@
 import json
 from dataclasses import replace
+from datetime import UTC, datetime, timedelta
 
 import numpy as np
 import pytest
@@ -190,3 +191,14 @@ def test_an_accuracy_check_keeps_the_noise_of_single_samples(tmp_path, start, cl
     for name in ("std_acc_x", "std_acc_z", "std_unit_roll_deg"):
         assert run.extra[name] == pytest.approx([0.02] * 3, rel=0.2)
     assert run.extra["se_unit_roll_deg"] == pytest.approx([0.02 / 200**0.5] * 3, rel=0.6)
+
+
+def test_a_clock_that_was_set_back_is_told(tmp_path, start, means):
+    first = datetime(2024, 5, 14, 6, 30, 15, tzinfo=UTC)
+    shown = iter([first, first, first - timedelta(hours=1), first - timedelta(hours=1)])
+    with Session.create(tmp_path / "s", start, now=lambda: next(shown)) as session:
+        for step in start.plan.steps[:2]:
+            session.accept(step, means(100.0), temperature_c=26.0)
+        (note,) = [n for n in session.run().notes if n.subject == "clock_set_back"]
+    one, other = (step.number for step in start.plan.steps[:2])
+    assert f"between positions {one} and {other} (2024-05-14 06:30:15, then" in note.text

@@ -345,3 +345,15 @@ if sys.platform != "win32":  # Windows has no limit on the size of a file
         record = read_session(session.folder)
         assert len(record.positions) == 2
         assert record.notes == ()
+
+
+def test_a_session_that_could_not_begin_leaves_the_folder_free(tmp_path, start, monkeypatch):
+    def full(*_) -> None:
+        raise StorageError("the disk is full")
+
+    with monkeypatch.context() as patch:
+        patch.setattr("core.records.session.store.write_text_atomic", full)
+        with pytest.raises(StorageError, match="the disk is full"):
+            Session.create(tmp_path / "s", start)
+    with Session.create(tmp_path / "s", start) as session:
+        assert session.positions == ()
