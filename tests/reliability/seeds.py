@@ -26,7 +26,7 @@ from core.records.run_file import run_text
 from core.records.session.record import JOURNAL_NAME, START_NAME
 from core.records.session.start import SessionStart
 from core.records.session.store import Session
-from core.samples.accumulate import accumulation_of
+from core.samples.accumulate import Accumulation, accumulation_of
 from core.samples.block import Channel, SampleBlock
 from core.samples.run import Conditions
 from drivers.decoders import make_decoder
@@ -92,12 +92,32 @@ def run_file() -> bytes:
 
 def start() -> SessionStart:
     """What is known before the first position."""
-    plan = load_plans()["pointer_8"]
+    return start_of(CHANNELS, 100.0, "pointer")
+
+
+def start_of(channels: tuple[Channel, ...], rate: float, legacy: str = "") -> SessionStart:
+    """The same for another device."""
     profile = load_profiles()["cvgx48"]
     return SessionStart(
-        "PW09", "accelerometer", CHANNELS, 100.0, plan, "2024-05-14T09:30:05+03:00",
-        profile=profile.id, profile_text=profile.text, operator="Олена", legacy="pointer",
-    )  # fmt: skip
+        device="PW09",
+        sensor="accelerometer",
+        channels=channels,
+        rate=rate,
+        plan=load_plans()["pointer_8"],
+        started="2024-05-14T09:30:05+03:00",
+        profile=profile.id,
+        profile_text=profile.text,
+        operator="Олена",
+        legacy=legacy,
+    )
+
+
+@_once
+def mean() -> Accumulation:
+    """A second in a position."""
+    data = np.random.default_rng(5).normal(0.0, 0.5, (100, len(CHANNELS)))
+    data += [0.0, 100.0, -10.0, 12866.0, 26.0]
+    return accumulation_of(CHANNELS, np.arange(100) / 100.0, data)
 
 
 @_once
@@ -107,14 +127,9 @@ def session() -> Mapping[str, bytes]:
         folder = Path(name) / "s"
         with Session.create(folder, start()) as made:
             steps = made.record.start.plan.steps
-            rng = np.random.default_rng(5)
-            for step in steps[:3]:
-                data = rng.normal(0.0, 0.5, (100, len(CHANNELS)))
-                data += [0.0, 100.0, -10.0, 12866.0, 26.0]
-                mean = accumulation_of(CHANNELS, np.arange(100) / 100.0, data)
-                last = made.accept(step, mean, temperature_c=26.0)
-            made.accept(steps[2], mean, temperature_c=26.0, supersedes=(last.id,))
-            made.reject(steps[3], mean, "the head moved", temperature_c=26.0)
+            last = [made.accept(step, mean(), temperature_c=26.0) for step in steps[:3]][-1]
+            made.accept(steps[2], mean(), temperature_c=26.0, supersedes=(last.id,))
+            made.reject(steps[3], mean(), "the head moved", temperature_c=26.0)
         return {path: (folder / path).read_bytes() for path in (START_NAME, JOURNAL_NAME)}
 
 
