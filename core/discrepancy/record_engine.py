@@ -30,6 +30,7 @@ _UNITS = {
 }
 _HIGHEST = 5
 _LOUD = 10.0
+_PART, _PLAIN = 0.5, 10.0
 
 
 def record_regressors(problem: Problem, sigma: FloatArray) -> tuple[Regressor, ...]:
@@ -104,7 +105,24 @@ def search_record(samples: Samples, settings: Settings) -> Found:
         ]
     engine, _ = max(begun, key=lambda one: _worth(*one))
     engine = calibrated(engine)
-    state, unknown = engine.found()
+    return _with_partial_names(engine, *engine.found())
+
+
+def _with_partial_names(engine: Engine, state: State, unknown: Scored | None) -> Found:
+    """Name what explains the better part of unknown structure; what is left stays unknown.
+
+    A curve explains a rich record best, but says less than a name that explains most of it.
+    """
+    search = engine.search
+    while unknown is not None and len(state.slots) < search.most:
+        best = max(search.scores(state).values(), key=lambda one: one.margin)
+        enough = max(_PART * unknown.evidence, search.threshold + _PLAIN)
+        if best.slot is None or best.margin < enough:
+            break
+        state = search.state((*state.slots, search.polished(best.slot, state)))
+        unknown = search.unknown(state)
+        if unknown.margin <= search.threshold:
+            unknown = None
     return Found(engine, state, unknown)
 
 

@@ -169,10 +169,16 @@ def _missing_codes(samples: Samples) -> Iterator[Fact]:
 def departures(samples: Samples) -> FloatArray:
     """(m,) usable samples less their trend, in units of their robust standard deviation."""
     y = samples.y[samples.usable]
-    blocks = max(len(y) // _TREND, 1)
+    blocks = max(len(y) // _TREND, 3)
     parts = np.array_split(y, blocks)
     centre = np.cumsum([len(part) for part in parts]) - [0.5 * len(part) for part in parts]
-    rest = y - np.interp(np.arange(len(y)) + 0.5, centre, [np.median(part) for part in parts])
+    middle = np.array([np.median(part) for part in parts])
+    # The outer half blocks go on as the trend goes there.
+    first = middle[0] - 0.5 * (middle[1] - middle[0])
+    last = middle[-1] + 0.5 * (middle[-1] - middle[-2])
+    knots = np.concatenate([[0.0], centre, [float(len(y))]])
+    trend = np.interp(np.arange(len(y)) + 0.5, knots, np.concatenate([[first], middle, [last]]))
+    rest = y - trend
     scale = 1.4826 * float(np.median(np.abs(rest)))
     return rest / scale if scale > 0.0 else np.zeros_like(rest)
 
@@ -196,6 +202,8 @@ def _bursts(samples: Samples) -> Iterator[Fact]:
     rows = samples.usable[noisy]
     t = samples.run.t_s
     ratio = float(np.std(rest[noisy]) / np.std(rest[~noisy]))
+    if ratio < _BURST_RATIO:
+        return
     edges = np.flatnonzero(np.diff(noisy.astype(np.int64), prepend=0) == 1)
     yield Fact(
         "variance_burst",

@@ -1,6 +1,7 @@
 """Records for the procedures that take them: over temperature, and since switching on."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -66,6 +67,79 @@ def record_run(
         temperature_c=warm[whole],
         t_s=_times(series)[whole],
         notes=(*series.notes, *([_lost(lost, len(y))] if lost else [])),
+    )
+
+
+def sampled_run(series: Series, output: str = "", sensor: str = "") -> Run:
+    """Return one output of a record with all other channels beside it.
+
+    Samples that are missing stay missing: whoever judges a record wants to know of them.
+
+    Parameters
+    ----------
+    series : the record
+    output : name, role or number of the output; by default the likeliest
+    sensor : ``"gyro"`` or ``"accelerometer"`` where the channel does not tell
+
+    Raises
+    ------
+    FormatError
+        There is no such channel.
+    """
+    place = series.place(output) if output else series.main
+    channel = series.channels[place]
+    others = {
+        series.channels[other].name: np.asarray(series.columns[other], dtype=np.float64)
+        for other in range(len(series.channels))
+        if other != place
+    }
+    warm = next((c.name for c in series.channels if c.name in others and _is_temperature(c)), "")
+    n = series.n
+    unknown = np.full(n, np.nan)
+    return Run(
+        test="record",
+        sensor=sensor or _kind([channel]),
+        device=series.device,
+        channels=(channel.name,),
+        axes=(_axis(channel),),
+        unit=channel.unit,
+        y=np.asarray(series.columns[place], dtype=np.float64)[:, None],
+        y_se=unknown[:, None],
+        run=np.ones(n, dtype=np.int64),
+        order=np.arange(n, dtype=np.int64),
+        mount=("",) * n,
+        head_deg=unknown,
+        set_rate_dps=unknown,
+        temperature_c=others.pop(warm, unknown),
+        t_s=_times(series),
+        extra=others,
+        notes=series.notes,
+    )
+
+
+def with_first(run: Run, output: str) -> Run:
+    """Return a run of a record with the output of that name, axis or number (from 1) as the first.
+
+    Raises
+    ------
+    FitError
+        There is no such output.
+    """
+    names = (*run.channels, *run.axes)
+    count = len(run.channels)
+    if output.isdigit() and 1 <= int(output) <= count:
+        place = int(output) - 1
+    elif output in names:
+        place = names.index(output) % count
+    else:
+        raise FitError(f"there is no output {output!r}; there are: {', '.join(run.channels)}")
+    order = [place, *(other for other in range(count) if other != place)]
+    return replace(
+        run,
+        channels=tuple(run.channels[i] for i in order),
+        axes=tuple(run.axes[i] for i in order),
+        y=run.y[:, order],
+        y_se=run.y_se[:, order],
     )
 
 

@@ -14,6 +14,7 @@ from core.model.stimulus import Stimulus
 
 _SECONDS_PER_H = 3600.0
 _S_PER_MIN = 60.0
+_WIDEST_C = 10.0
 
 
 def lagged(values: FloatArray, t_s: FloatArray, tau_s: float) -> FloatArray:
@@ -129,7 +130,8 @@ class ThermalLag(_Thermal):
 
     def columns(self, stimulus: Stimulus, sensor: Sensor) -> FloatArray:
         """The lagged temperature from its mean."""
-        warm = lagged(stimulus.column("temperature_c"), _SECONDS_PER_H * hours(stimulus), self._tau)
+        t_s = _SECONDS_PER_H * hours(stimulus)
+        warm = lagged(stimulus.column("temperature_c"), t_s, self._tau)
         return column(small_gain(sensor) * (warm - warm.mean()))
 
     def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
@@ -178,11 +180,11 @@ class ThermalHysteresis(_Thermal):
         return column(small_gain(sensor) * branch(warm, self._width, self._start))
 
     def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
-        """Widths up to three quarters of the range, beginning on either branch or between."""
+        """Widths up to ten degrees, for wider ones are lags; from either branch or between."""
         span = float(np.ptp(stimulus.column("temperature_c")))
         return tuple(
-            ThermalHysteresis(share * span, start)
-            for share in grid(0.02, 0.75, 10)
+            ThermalHysteresis(width, start)
+            for width in grid(0.02 * span, min(0.33 * span, _WIDEST_C), 9)
             for start in (-1.0, 0.0, 1.0)
         )
 
