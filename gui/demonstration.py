@@ -31,6 +31,7 @@ STEPS: tuple[str, ...] = (
     "gui.allan.demo",
     "gui.thermal.demo",
     "gui.drift.demo",
+    "gui.frames.demo",
 )
 """Modules with ``play(stage) -> Told``, in the order of playing."""
 

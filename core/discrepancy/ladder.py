@@ -9,12 +9,14 @@ import numpy as np
 from core.arrays import FloatArray, frozen, frozen_int
 from core.discrepancy.advise import advise
 from core.discrepancy.engine import Engine
+from core.discrepancy.few import striking
 from core.discrepancy.gaps import gap_of, held_out_gap, predicted
 from core.discrepancy.locate import locate
 from core.discrepancy.power import invisible_of, smallest_of
 from core.discrepancy.problem import COMMON, EACH, Problem
-from core.discrepancy.record import RECORD, explain_record
+from core.discrepancy.record import RECORD, explain_record, fact_step
 from core.discrepancy.result import Explanation, Gap, NoiseFloor
+from core.discrepancy.row_facts import row_facts
 from core.discrepancy.search import Scored
 from core.discrepancy.settings import Settings
 from core.discrepancy.slots import Slot, State
@@ -57,13 +59,17 @@ class Ladder:
         """
         problem = Problem.of(run)
         design = problem.design()
-        if design.shape[0] - design.shape[1] < FEWEST:
+        spare = design.shape[0] - design.shape[1]
+        if spare >= FEWEST:
+            return cls(Engine.of(problem, settings))
+        engine = striking(problem, settings) if spare else None
+        if engine is None:
             raise RankDeficient(
                 ("any further effect",),
                 f"{design.shape[0]} rows for {design.shape[1]} parameters leave nothing that could"
                 " contradict the model; measure more positions, and each twice",
             )
-        return cls(Engine.of(problem, settings))
+        return cls(engine)
 
     def found(self) -> "Ladder":
         """With all steps that the search finds on top of those that are there."""
@@ -145,6 +151,9 @@ class Ladder:
         left = locate(engine, self.state) if self.slots else ()
         steps = doubted(steps, noise, left, engine.settings.alpha)
         after = steps[-1].after if steps else before
+        nothing = frozen(np.zeros(len(problem.y)))
+        faults = (fact_step(fact, before, nothing) for fact in row_facts(problem.run))
+        steps = (*faults, *steps)
         verdict = verdict_of(steps, noise, after)
         smallest = smallest_of(engine)
         curve = steps[-1].curve if self.unknown is not None else 0.0

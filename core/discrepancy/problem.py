@@ -68,6 +68,8 @@ class Problem:
                 " row out or measure it again"
             )
         stimulus, notes = _stimulus(run)
+        run, left_out = _excited(run, stimulus)
+        notes = (*notes, *left_out)
         models = tuple(_model(run, stimulus, channel) for channel in range(run.y.shape[1]))
         effects, untested = _effects(run, stimulus)
         return cls(
@@ -175,6 +177,36 @@ def _repeated(run: Run) -> FloatArray:
         if np.all(np.isfinite(column)):
             moved[1:] = column[1:] != column[:-1]
     return np.zeros(len(run)) if coarse else same * moved
+
+
+def _excited(run: Run, stimulus: Stimulus) -> tuple[Run, tuple[Note, ...]]:
+    """The run without the outputs of a unit whose own input never changes, each with a note."""
+    if run.test == "static_positions" or len(run.channels) < 2:
+        return run, ()
+    kept: list[int] = []
+    for channel, axis in enumerate(run.axes):
+        sensor = Sensor(run.sensor, axis or "z", run.unit)
+        if np.ptp(sensor.input(stimulus)[:, sensor.index]) > _EXCITED:
+            kept.append(channel)
+    if not kept or len(kept) == len(run.channels):
+        return run, ()
+    notes = tuple(
+        Note(
+            Severity.WARNING,
+            "not_excited",
+            f"{name} is left out: its own input never changes in these rows; add positions",
+        )
+        for channel, name in enumerate(run.channels)
+        if channel not in kept
+    )
+    few = replace(
+        run,
+        y=run.y[:, kept],
+        y_se=run.y_se[:, kept],
+        channels=tuple(run.channels[channel] for channel in kept),
+        axes=tuple(run.axes[channel] for channel in kept),
+    )
+    return few, notes
 
 
 def _model(run: Run, stimulus: Stimulus, channel: int) -> SensorModel:

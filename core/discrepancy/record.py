@@ -108,7 +108,7 @@ def _story(
     )
     zero = np.zeros(len(problem.y))
     steps = (
-        *(_fact_step(fact, before, zero) for fact in facts),
+        *(fact_step(fact, before, zero) for fact in facts),
         *(_line_step(line, run.unit, before, problem.stimulus.column("t_s")) for line in lines),
         *slow,
         *(_noise_step(term, after, zero) for term in terms),
@@ -186,7 +186,8 @@ def _step(
     )
 
 
-def _fact_step(fact: Fact, gap: Gap, curve: FloatArray) -> Step:
+def fact_step(fact: Fact, gap: Gap, curve: FloatArray) -> Step:
+    """A fault of the data as a step, which changes nothing in the model."""
     evidence = -math.log(max(fact.chance, 1e-300))
     return _step(
         fact.effect,

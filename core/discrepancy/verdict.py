@@ -16,6 +16,7 @@ _FAULTS = frozenset(
         "mount_reversed",
         "channels_permuted",
         "rate_sign_reversed",
+        "stale_temperature",
     )
 )
 _EXCESS_P = 1e-3

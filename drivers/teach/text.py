@@ -67,7 +67,9 @@ def propose_lines(data: bytes) -> LineProposal | None:
     texts = [body for body in whole_ones if body is not None] if marked else lines
     suffix = _suffix(texts)
     bodies = [text.removesuffix(suffix).rstrip() for text in texts]
-    forms = [*_json(texts, end), *_labels(bodies, end), *_values(bodies, end)]
+    # A heading may be the very first line.
+    first = data.split(end.encode(), 1)[0].decode("latin-1").strip()
+    forms = [*_json(texts, end), *_labels(bodies, end), *_values(bodies, end, (first, *lines))]
     specs = [form if form.style == "json" else replace(form, suffix=suffix) for form in forms]
     best: LineProposal | None = None
     for spec in specs:
@@ -148,7 +150,7 @@ def _labels(lines: Sequence[str], end: str) -> list[LineSpec]:
     ]
 
 
-def _values(lines: Sequence[str], end: str) -> list[LineSpec]:
+def _values(lines: Sequence[str], end: str, heads: Sequence[str]) -> list[LineSpec]:
     found = Counter(match[0] for line in lines if (match := _PREFIX.match(line)))
     prefix, count = found.most_common(1)[0]
     prefix = prefix.rstrip(" \t") if count >= _AGREE * len(lines) else ""
@@ -157,7 +159,7 @@ def _values(lines: Sequence[str], end: str) -> list[LineSpec]:
         bodies = [line.removeprefix(prefix).strip() for line in lines]
         cells = Counter(len(re.split(_SPLIT[delimiter], body)) for body in bodies)
         columns = cells.most_common(1)[0][0]
-        names = _header(lines, delimiter, columns) or [f"ch{n}" for n in range(1, columns + 1)]
+        names = _header(heads, delimiter, columns) or [f"ch{n}" for n in range(1, columns + 1)]
         specs.append(_spec(end, names, prefix=prefix, delimiter=delimiter, decimal=decimal))
     return specs
 

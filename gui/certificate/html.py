@@ -157,7 +157,7 @@ def _method(origin: Provenance) -> str:
         {
             _t("Procedure"): shown(origin.procedure),
             _t("Plan"): origin.plan,
-            _t("Measured"): origin.measured_utc,
+            _t("Measured"): origin.measured_utc.replace("T", " ").replace("+00:00", " UTC"),
             _t("Records"): records,
             _t("Software"): origin.software,
         }

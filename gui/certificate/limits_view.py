@@ -19,7 +19,7 @@ from gui.certificate.texts import rule_titles
 from gui.languages.shown import shown, shown_number
 from gui.widgets.fields import ChoiceField
 
-_NOMINAL, _LIMIT = 3, 4
+_NOMINAL, _LIMIT = 1, 2
 
 
 class LimitsForm(QWidget):
@@ -47,13 +47,16 @@ class LimitsForm(QWidget):
         self.rule.activated.connect(self._on_rule)
         self.table = QTableWidget(0, 5)
         self.table.verticalHeader().hide()
-        self.table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+        header = self.table.horizontalHeader()
+        header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
+        header.setStretchLastSection(True)
         self.table.itemChanged.connect(self._on_item)
         self.parts = QListWidget()
-        self.parts.setWordWrap(True)
         self.parts.itemChanged.connect(self._on_part)
         unit = self.fontMetrics().height()
         self.table.setMinimumHeight(10 * unit)
+        for place, width in enumerate((7, 5, 5, 6)):
+            self.table.setColumnWidth(place, width * unit)
         self.parts.setMinimumHeight(8 * unit)
         row = QHBoxLayout()
         row.addWidget(self._rule_label)
@@ -95,7 +98,7 @@ class LimitsForm(QWidget):
                 item = self.table.item(place, column)
                 if item is None:
                     item = QTableWidgetItem()
-                    if column < _NOMINAL:
+                    if column not in (_NOMINAL, _LIMIT):
                         item.setFlags(Qt.ItemFlag.ItemIsEnabled)
                     self.table.setItem(place, column, item)
                 if item.text() != text:
@@ -156,10 +159,10 @@ class LimitsForm(QWidget):
         self.table.setHorizontalHeaderLabels(
             [
                 self.tr("Parameter"),
-                self.tr("Found"),
-                self.tr("Unit"),
                 self.tr("Nominal"),
                 self.tr("± Limit"),
+                self.tr("Unit"),
+                self.tr("Found"),
             ]
         )
         chosen = self.rule.currentData()

@@ -119,7 +119,8 @@ def matrix_html(matrix: MatrixState) -> str:
     equation = "<br/>".join(symbols(escape(line)) for line in matrix.equation.split("\n"))
     return (
         '<table cellspacing="0" cellpadding="6"><tr>'
-        f'<td valign="middle"><b>{symbols(escape(matrix.symbol))}</b></td>'
+        '<td valign="middle" style="white-space: nowrap">'
+        f"<b>{symbols(escape(matrix.symbol))}</b></td>"
         '<td><table border="1" cellspacing="0" cellpadding="5">'
         f"{names}{rows}</table></td>"
         f'<td valign="middle" style="white-space: nowrap">{escape(matrix.unit)}</td>'
@@ -156,7 +157,9 @@ def _point(known: Mapping[float, tuple[float, float]], x: float) -> tuple[str, s
     if x not in known:
         return "", ""
     value, half = known[x]
-    return value_and_uncertainty(value, half) if half > 0 else (f"{value:.4g}".replace("-", MINUS), "")
+    return (
+        value_and_uncertainty(value, half) if half > 0 else (f"{value:.4g}".replace("-", MINUS), "")
+    )
 
 
 def plain(value: float) -> str:

@@ -28,7 +28,7 @@ _A4 = QPageLayout(
 )
 MARGIN = _MARGIN_MM * _DPI / _MM_PER_INCH
 """White border of a sheet, dots of the layout."""
-_KEPT_WHOLE = 0.4
+_KEPT_WHOLE = 0.25
 """A section up to this part of a page goes to the next one rather than being cut."""
 
 

@@ -45,16 +45,12 @@ class BytesView(QAbstractScrollArea):
         self._selection: tuple[int, int] | None = None
         self._anchor = 0
         self._follow = True
-        self.verticalScrollBar().sliderMoved.connect(self._on_scrolled)
+        self.verticalScrollBar().valueChanged.connect(self._on_scrolled)
 
     def render(self, state: BytesState) -> None:
         """Show rows; the view follows the latest ones unless it was scrolled up."""
-        bar = self.verticalScrollBar()
-        self._follow = bar.value() >= bar.maximum()
         self._state = state
         self._fit()
-        if self._follow:
-            bar.setValue(bar.maximum())
         self.viewport().update()
 
     def show_selection(self, selection: tuple[int, int] | None) -> None:
@@ -67,7 +63,9 @@ class BytesView(QAbstractScrollArea):
 
     @property
     def _cell(self) -> int:
-        return self.fontMetrics().horizontalAdvance("DD") + 8
+        return (
+            self._letter + 2 if self._state.text else self.fontMetrics().horizontalAdvance("DD") + 8
+        )
 
     @property
     def _letter(self) -> int:
@@ -87,10 +85,14 @@ class BytesView(QAbstractScrollArea):
 
     def _fit(self) -> None:
         room = self.viewport().height() // self._line - _NAMES
-        bar = self.verticalScrollBar()
+        bar, follow = self.verticalScrollBar(), self._follow
         bar.setRange(0, max(0, len(self._state.rows) - room))
         bar.setPageStep(max(1, room))
-        wide = self._state.width * (self._cell + self._letter) + 3 * self._letter
+        if follow:
+            bar.setValue(bar.maximum())
+        self._follow = follow
+        letters = 0 if self._state.text else self._letter
+        wide = self._state.width * (self._cell + letters) + 3 * self._letter
         across = self.horizontalScrollBar()
         across.setRange(0, max(0, wide - self.viewport().width()))
         across.setPageStep(self.viewport().width())
@@ -99,8 +101,8 @@ class BytesView(QAbstractScrollArea):
         super().resizeEvent(event)
         self._fit()
 
-    def _on_scrolled(self) -> None:
-        self.viewport().update()
+    def _on_scrolled(self, value: int) -> None:
+        self._follow = value >= self.verticalScrollBar().maximum()
 
     # --- hands ------------------------------------------------------------------------------------
 
@@ -112,6 +114,9 @@ class BytesView(QAbstractScrollArea):
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if event.buttons() & Qt.MouseButton.LeftButton:
             self._point(self.column_at(event.position().toPoint().x()))
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        event.accept()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         """Point at the whole part below the mouse."""
@@ -151,7 +156,20 @@ class BytesView(QAbstractScrollArea):
         self._paint_rows(painter, theme)
         self._paint_head(painter, theme)
         self._paint_selection(painter, theme)
+        if not self._state.rows:
+            self._paint_hint(painter, theme)
         painter.end()
+
+    def _paint_hint(self, painter: QPainter, theme: Theme) -> None:
+        unit = self.fontMetrics().height()
+        painter.setPen(QColor(theme.muted))
+        room = self.viewport().rect().adjusted(3 * unit, 3 * unit, -3 * unit, -3 * unit)
+        words = self.tr(
+            "Choose the port of the board and its baud rate, and press Listen; or open a raw log."
+            " Frames, checksum and numbers are then looked for by themselves."
+        )
+        flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+        painter.drawText(room, flags, words)
 
     def _paint_head(self, painter: QPainter, theme: Theme) -> None:
         line, cell = self._line, self._cell
@@ -166,9 +184,11 @@ class BytesView(QAbstractScrollArea):
             name = metrics.elidedText(named.name, Qt.TextElideMode.ElideRight, room.width())
             painter.drawText(room, Qt.AlignmentFlag.AlignVCenter, name)
         painter.setPen(QColor(theme.muted))
-        for column in range(self._state.width):
-            box = QRect(self._x(column), line, cell - 2, line)
-            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, str(column % 1000))
+        every = 5 if self._state.text else 1
+        for column in range(0, self._state.width, every):
+            box = QRect(self._x(column), line, every * cell - 2, line)
+            where = Qt.AlignmentFlag.AlignLeft if self._state.text else Qt.AlignmentFlag.AlignCenter
+            painter.drawText(box, where | Qt.AlignmentFlag.AlignVCenter, str(column % 1000))
         painter.setPen(QColor(theme.line))
         painter.drawLine(0, _NAMES * line - 1, self.viewport().width(), _NAMES * line - 1)
 
@@ -188,6 +208,11 @@ class BytesView(QAbstractScrollArea):
                 painter.fillRect(box, _tint(named, theme, _TINT))
         known = row.whole or not self._state.parts
         painter.setPen(QColor(theme.text if known else theme.muted))
+        if self._state.text:
+            for place, byte in enumerate(row.data):
+                letter = _LETTERS[byte] if byte < _DELETE else _HEX[byte]
+                painter.drawStaticText(QPoint(self._x(place) + 2, top), letter)
+            return
         for place, byte in enumerate(row.data):
             text = _HEX[byte]
             left = self._x(place) + (cell - 2 - round(text.size().width())) // 2

@@ -15,6 +15,8 @@ ROLES = (
 )  # fmt: skip
 UNITS = ("code", "m/s^2", "deg/s", "degC", "V", "deg", "uT", "s", "ms")
 
+_NONE = FieldRow("", "", "", "", "", "", 1.0, 0.0, hide=False)
+
 
 class FieldForm(QWidget):
     """Name, type, byte order, scale, unit and role; buttons to add and to take away."""
@@ -81,14 +83,13 @@ class FieldForm(QWidget):
             widget.setEnabled(binary)
         self.add.setEnabled(state.binary and state.selection is not None and state.length > 0)
         self.remove.setEnabled(state.binary and state.selection is not None)
-        if row is not None:
-            self._fill(row)
+        self._fill(row or _NONE)
 
     def _fill(self, row: FieldRow) -> None:
         for line, text in (
             (self.name, row.name),
-            (self.scale, f"{row.scale:.12g}"),
-            (self.offset, f"{row.offset:.12g}"),
+            (self.scale, f"{row.scale:.12g}" if row.name else ""),
+            (self.offset, f"{row.offset:.12g}" if row.name else ""),
         ):
             if not (line.hasFocus() and line.isModified()):
                 line.setText(text)
@@ -98,9 +99,8 @@ class FieldForm(QWidget):
                 box.setCurrentText(text)
         with QSignalBlocker(self.hidden):
             self.hidden.setChecked(row.hide)
-        if row.type:
-            self.type.setCurrentIndex(self.type.findData(row.type))
-            self.endian.setCurrentIndex(self.endian.findData(row.endian))
+        self.type.setCurrentIndex(self.type.findData(row.type))
+        self.endian.setCurrentIndex(self.endian.findData(row.endian))
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)

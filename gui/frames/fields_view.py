@@ -52,7 +52,7 @@ class FieldsView(QWidget):
         self.table.verticalHeader().setDefaultSectionSize(round(1.5 * unit))
         header = self.table.horizontalHeader()
         header.setHighlightSections(False)
-        for column, width in enumerate((6, 5, 6.5, 7, 7)):
+        for column, width in enumerate((5.5, 4.7, 5.5, 8.5, 5.5)):
             self.table.setColumnWidth(column, round(width * unit))
         header.setSectionResizeMode(_COURSE, QHeaderView.ResizeMode.Interactive)
         header.setStretchLastSection(True)
@@ -125,7 +125,7 @@ class _Model(QAbstractTableModel):
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
         row = self._rows[index.row()]
-        if role == Qt.ItemDataRole.DisplayRole:
+        if role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.ToolTipRole):
             return self._text(row, index.row(), index.column())
         if role == Qt.ItemDataRole.TextAlignmentRole and index.column() == _VALUE:
             return Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter

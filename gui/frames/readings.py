@@ -8,7 +8,7 @@ from core.arrays import FloatArray
 from core.samples.block import SampleBlock
 from drivers.fields import read_raw
 from drivers.line import LineDecoder
-from drivers.profile_types import FrameSpec, LineSpec
+from drivers.profile_types import FieldSpec, FrameSpec, LineSpec
 from drivers.shape import ByteArray
 from drivers.teach.guesses import hint_of
 from drivers.teach.rows import PLAIN, Sheet, parts_of, sheet_of
@@ -21,7 +21,7 @@ _SHOWN = 1 << 13
 _FRAMES = 80
 _ROWS = 200
 _COURSE = 60
-_DIGITS = 6
+_DIGITS = 5
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -48,15 +48,16 @@ def read_latest(tail: bytes, taught: Taught) -> Readings:
     if isinstance(stream, FrameSpec):
         data = tail[-max(_SHOWN, _FRAMES * stream.shortest) :]
         sheet = sheet_of(data, stream, _ROWS)
-        live = tuple(
-            _live(read_raw(sheet.frames, field)[:, 0] * field.scale + field.offset)
-            for field in stream.fields
-        )
+        live = tuple(_field(sheet.frames, field) for field in stream.fields)
         return Readings(_rows(sheet, taught), live, sheet.frames, sheet.share / stream.shortest)
     data = tail[-_SHOWN:]
     sheet = sheet_of(data, stream, _ROWS)
     numbers = _numbers(data, stream) if isinstance(stream, LineSpec) else np.empty((0, 0))
-    live = tuple(_live(column) for column in numbers.T) if len(numbers) else ()
+    live = (
+        tuple(_live(one, whole=bool(np.all(one == np.rint(one)))) for one in numbers.T)
+        if len(numbers)
+        else ()
+    )
     return Readings(
         _rows(sheet, taught), live, sheet.frames, len(numbers) / len(data) if data else 0.0
     )
@@ -68,7 +69,7 @@ def field_rows(taught: Taught, frames: ByteArray) -> tuple[FieldRow, ...]:
     if isinstance(stream, LineSpec):
         return tuple(
             FieldRow(
-                one.name, one.unit, one.role, f"column {n + 1}", "", "", stream.scales[n],
+                one.name, one.unit, one.role, str(n + 1), "", "", stream.scales[n],
                 stream.offsets[n], hide=False,
             )
             for n, one in enumerate(stream.channels)
@@ -91,7 +92,7 @@ def field_rows(taught: Taught, frames: ByteArray) -> tuple[FieldRow, ...]:
 def _rows(sheet: Sheet, taught: Taught) -> BytesState:
     widest = max((len(row.data) for row in sheet.rows), default=PLAIN)
     if not isinstance(taught.stream, FrameSpec):
-        return BytesState(sheet.rows, (), widest)
+        return BytesState(sheet.rows, (), widest, text=isinstance(taught.stream, LineSpec))
     named: list[Named] = []
     for part in parts_of(taught.stream):
         if part.kind == "field":
@@ -109,11 +110,18 @@ def _numbers(data: bytes, stream: LineSpec) -> FloatArray:
     return np.concatenate(blocks) if blocks else np.empty((0, len(stream.channels)))
 
 
-def _live(values: FloatArray) -> Live:
+def _field(frames: ByteArray, field: FieldSpec) -> Live:
+    if not len(frames):
+        return Live("", ())
+    numbers = read_raw(frames, field)[:, 0]
+    plain = field.type[0] != "f" and field.scale == 1.0 and field.offset == 0.0
+    return _live(numbers * field.scale + field.offset, whole=plain)
+
+
+def _live(values: FloatArray, *, whole: bool) -> Live:
     if not len(values):
         return Live("", ())
     course = np.asarray(values[-_COURSE:], dtype=np.float64)
     last = float(course[-1])
-    whole = last == np.rint(last) and abs(last) < 1e9
     text = f"{last:.0f}".replace("-", "\N{MINUS SIGN}") if whole else significant(last, _DIGITS)
     return Live(text, tuple(course[np.isfinite(course)].tolist()))

@@ -70,6 +70,11 @@ class Source(QObject):
         """The latest bytes, or those of the moment when the picture was held."""
         return self.heard.tail if self._frozen is None else self._frozen
 
+    @property
+    def raw_folder(self) -> Path:
+        """Where the bytes are kept."""
+        return self._root() / "raw"
+
     def refresh(self) -> None:
         """List the ports anew, in a worker."""
         self._jobs.start("port list", list_ports, self._on_ports, self._on_failed)
@@ -101,7 +106,7 @@ class Source(QObject):
             self._connection.close()
         self.stop()
         self.heard, self._frozen = Heard(), None
-        self._listening = Listening(url, self.state.baud, self._root() / "raw")
+        self._listening = Listening(url, self.state.baud, self.raw_folder)
         if self._listening.raw_doubt is not None:
             self._messages.tell_error(SOURCE, "Bytes are not recorded", self._listening.raw_doubt)
         self.show(listening=True, file="", held=False, heard=heard_words(self.heard))

@@ -101,7 +101,7 @@ class FramesState:
     name: str = ""
     kind: str = "imu"
     hz: float = 0.0
-    doubt: str = ""
+    doubt: str = "Nothing is described yet"
     saved: str = ""
 
 
@@ -123,11 +123,13 @@ class BytesState:
     rows : the latest ones
     parts : of a whole frame
     width : bytes of the widest row
+    text : whether the bytes are letters
     """
 
     rows: tuple[SheetRow, ...] = ()
     parts: tuple[Named, ...] = ()
     width: int = 16
+    text: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -43,8 +43,10 @@ def check_words(fit: CheckFit, length: int) -> str:
 
 
 def share(value: float) -> str:
-    """A share in percent; "all" only where none is missing."""
-    return "100 %" if value == 1.0 else f"{min(99.9, 100.0 * value):.1f} %"
+    """A share in percent; 100 only where none is missing."""
+    if value in (0.0, 1.0):
+        return "100 %" if value else "0 %"
+    return f"{min(99.9, 100.0 * value):.1f} %"
 
 
 def reading_of(one: LengthReading) -> Reading:
@@ -95,7 +97,7 @@ def sync_words(sync: tuple[int | None, ...]) -> str:
 def place_words(field: FieldSpec) -> str:
     """The bytes of a field."""
     last = field.end - 1
-    return f"{field.at}" if last == field.at else f"{field.at} to {last}"
+    return f"{field.at}" if last == field.at else f"{field.at}\N{EN DASH}{last}"
 
 
 TYPE_WORDS = {

@@ -191,15 +191,15 @@ def test_limits_judge_and_are_remembered(tab: CertificateTab, triad: Measured):
     tab.view.pages.setCurrentIndex(1)
     table = tab.view.limits.table
     bias = [row.parameter for row in presenter.state.limits].index("bias")
-    table.item(bias, 4).setText("1e9")
+    table.item(bias, 2).setText("1e9")
     assert presenter.state.verdict == "PASS"
-    table.item(bias, 4).setText("0,001")
+    table.item(bias, 2).setText("0,001")
     assert presenter.state.verdict == "FAIL"
-    table.item(bias, 4).setText("wide")
+    table.item(bias, 2).setText("wide")
     assert presenter.state.verdict == ""
     assert presenter.state.doubts[-1].severity is Severity.ERROR
     assert not tab.view.action_bar.button("issue").isEnabled()
-    table.item(bias, 4).setText("500")
+    table.item(bias, 2).setText("500")
     tab.certify(triad)
     assert presenter.state.limits[bias].limit == "500"
 

@@ -1,0 +1,25 @@
+"""The demonstration of the tab: from the simulated rig to the printed pages."""
+
+from pathlib import Path
+
+import pytest
+
+from core.certificates.register import Register
+from gui.demonstration import demonstrate
+
+
+@pytest.mark.timeout(240)
+def test_a_triad_is_measured_and_certified(tmp_path: Path) -> None:
+    outcome = demonstrate(tmp_path, ("gui.certificate.demo",), 1)
+    names = {path.name for path in outcome.files}
+    assert {"certificates-draft-dark.png", "certificates-issued-light.png"} <= names
+    assert {"page-1.png", "page-2.png"} <= names
+    register = Register(tmp_path / "sessions" / "certificates")
+    (entry,) = register.entries()
+    assert entry.verdict == "pass"
+    certificate = register.read(entry.path)
+    assert certificate.missing() == ()
+    assert certificate.doubts() == ()
+    calibration = certificate.measured.calibration
+    assert calibration is not None
+    assert calibration.is_triad
