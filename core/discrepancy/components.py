@@ -113,19 +113,22 @@ def _white(problem: Problem) -> tuple[FloatArray, float]:
             own = channel == one
             pooled[own] = np.median(se[own])
         return pooled**2, 0.25
-    variance = np.empty_like(problem.y)
+    # Rows that were put right are judged as they are now.
+    y = problem.right
+    variance = np.empty_like(y)
     design = problem.design()
-    residual = problem.y - design @ np.linalg.lstsq(design, problem.y, rcond=None)[0]
+    residual = y - design @ np.linalg.lstsq(design, y, rcond=None)[0]
     cell = cells(problem)
-    counts = np.bincount(cell)
-    deviation = problem.y - (np.bincount(cell, problem.y) / counts)[cell]
+    counts = np.bincount(cell).astype(np.float64)[cell]
+    deviation = y - np.bincount(cell, y)[cell] / counts
+    repeated = counts > 1
     for one in range(problem.channels):
         own = channel == one
-        dof = int(own.sum()) - len(np.unique(cell[own]))
-        if dof >= 3:
-            size = np.abs(deviation[own]) * np.sqrt(own.sum() / dof)
+        both = own & repeated
+        if int(both.sum()) - len(np.unique(cell[both])) >= 3:
+            size = np.abs(deviation[both]) * np.sqrt(counts[both] / (counts[both] - 1.0))
         else:
             size = np.abs(residual[own])
-        floor = 1e-9 * float(np.ptp(problem.y[own])) + 1e-300
+        floor = 1e-9 * float(np.ptp(y[own])) + 1e-300
         variance[own] = max(1.4826 * float(np.median(size)), floor) ** 2
     return 0.5 * variance, 1.0

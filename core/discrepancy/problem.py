@@ -33,6 +33,7 @@ class Problem:
     stimulus : what acted, n rows, regressors without their noise
     models : (c,) plain model of each channel; its sensor knows its response
     y, se : (n c,) outputs and standard errors of all channels one below the other
+    right : (n c,) outputs with what is known to be mistaken in them put right
     effects : what can be proposed
     untested : identifiers that a missing column keeps from being tested, with the column
     notes : doubts that arose on the way
@@ -43,6 +44,7 @@ class Problem:
     models: tuple[SensorModel, ...]
     y: FloatArray
     se: FloatArray
+    right: FloatArray
     effects: tuple[Effect, ...]
     untested: Mapping[str, str]
     notes: tuple[Note, ...]
@@ -78,6 +80,7 @@ class Problem:
             models=models,
             y=run.y.T.ravel(),
             se=run.y_se.T.ravel(),
+            right=run.y.T.ravel(),
             effects=effects,
             untested=untested,
             notes=notes,
@@ -85,10 +88,10 @@ class Problem:
 
     def corrected(self, change: FloatArray) -> "Problem":
         """With the responses that the outputs have with this change; the outputs stay."""
-        y = (self.y + change).reshape(self.channels, self.rows).T
-        run = replace(self.run, y=y)
+        right = self.y + change
+        run = replace(self.run, y=right.reshape(self.channels, self.rows).T)
         models = tuple(_model(run, self.stimulus, channel) for channel in range(self.channels))
-        return replace(self, models=models)
+        return replace(self, models=models, right=right)
 
     @property
     def rows(self) -> int:

@@ -193,6 +193,7 @@ def record_problem(samples: Samples, telegraph: Telegraph | None = None) -> Prob
         models=(SensorModel(sensor, (CATALOGUE["bias"],)),),
         y=y,
         se=spread,
+        right=y,
         effects=effects,
         untested=untested,
         notes=run.notes,

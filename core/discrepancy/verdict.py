@@ -20,7 +20,7 @@ _FAULTS = frozenset(
     )
 )
 _EXCESS_P = 1e-3
-_LEFT_OVER = 0.05
+_LEFT_OVER = 0.02
 FEWEST = 3
 """Degrees of freedom below which nothing is said."""
 
