@@ -12,8 +12,8 @@ stream, finder, shape, checksums, fields, columns, counter, lines
     What the decoders are made of: frames found, checked, read and numbered many at a time.
 transport, ports, scan, commands
     pyserial, and who is at the other end.
-reader, linkrate
-    The one thread of a port, and the rate of its samples.
+reader, linkrate, pauses
+    The one thread of a port, the rate of its samples, and whether it was asleep.
 framing, rawlog, recorder, recording, records
     Files of checked blocks; in them the bytes of a link and, in a record, its samples.
 teach

@@ -2,7 +2,9 @@
 
 Everything that the port says comes out of `Reader.drain` in order; `Ended` is the last of it. An
 interruption that heals comes as `Message` of kind ``"link lost"``, then ``"reconnected"``, and the
-sample numbers leave a gap as long as it was by the clock, with a `Lost` of that many.
+sample numbers leave a gap as long as it was by the clock, with a `Lost` of that many. One of kind
+``"paused"`` tells that the program itself stood still: what the port could not hold meanwhile is
+lost, and only a device's counter tells how much.
 """
 
 import math
@@ -28,6 +30,7 @@ from drivers.events import (
     Message,
 )
 from drivers.linkrate import LinkRate
+from drivers.pauses import Pauses
 from drivers.rawlog import RawLog
 from drivers.transport import EndOfStream, Opener, Transport
 
@@ -124,6 +127,7 @@ class Reader:
         self._counters = Counters()
         self._last_frame = time.monotonic()
         self._rate = LinkRate()
+        self._pauses = Pauses()
         self._next_index = 0
         self._shift = 0
         self._resuming = False
@@ -228,9 +232,12 @@ class Reader:
             if self._state is LinkState.RECONNECTING:
                 self._reconnected()
             self._state = LinkState.WAITING
+            self._pauses.begin()
             while not self._stop.is_set():
                 self._send(transport)
-                self._take(transport.read())
+                data = transport.read()
+                self._look_at_clock(transport)
+                self._take(data)
                 while transport.patient and self._events.qsize() > _MOST_PENDING:
                     if self._stop.wait(_PATIENCE_S):
                         break
@@ -240,6 +247,15 @@ class Reader:
             self._transport = None
             transport.close()
             self._pass_on(self._decoder.flush(), time.monotonic())
+
+    def _look_at_clock(self, transport: Transport) -> None:
+        """Tell of a pause of the program; a source that waits for its reader loses nothing."""
+        pause = self._pauses.seconds()
+        if not pause or transport.patient:
+            return
+        if self._log is not None:
+            self._log.mark("paused", gap_s=pause)
+        self._say(Message("paused", b"", {"gap_s": f"{pause:.3f}"}))
 
     def _send(self, transport: Transport) -> None:
         while not self._outgoing.empty():

@@ -274,7 +274,7 @@ class Recorder:
                 self._counts["lost"] += item.count
                 self._flush()
                 self._log.mark("lost", count=item.count, before=item.before)
-            case Message(kind="link lost") | Message(kind="reconnected"):
+            case Message(kind="link lost" | "reconnected" | "paused"):
                 self._flush()
                 self._log.mark(item.kind, **item.fields)
             case Ended():

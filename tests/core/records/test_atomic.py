@@ -26,9 +26,14 @@ def test_a_file_in_pieces_is_there_whole_or_not_at_all(tmp_path):
         assert not path.exists()
         file.write(b"two")
     assert path.read_bytes() == b"onetwo"
-    with pytest.raises(ZeroDivisionError), atomic_file(path) as file:
-        file.write(b"half")
-        raise ZeroDivisionError
+
+    def broken_off() -> None:
+        with atomic_file(path) as file:
+            file.write(b"half")
+            raise ZeroDivisionError
+
+    with pytest.raises(ZeroDivisionError):
+        broken_off()
     assert path.read_bytes() == b"onetwo"
     assert list(tmp_path.iterdir()) == [path]
 
