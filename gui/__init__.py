@@ -5,9 +5,10 @@ main              entry: no subcommand opens the window, a subcommand runs headl
 app               makes every part and joins them; the table of tabs
 main_window       device strip, tabs, banner, log, the rig's dock
 hooks             faults of the program, orders of the system
-guidance          what helps beside the tabs: the following three
+guidance          what helps beside the tabs: the following four
 distance          the step of a tab over the whole window
 keys              the sheet of keys, read from the window
+preferences       what holds for every tab
 tour              callouts over the window on the simulated rig
 commands          the subcommands of ``calrig``; no Qt
 measuring         step by step through a plan: what all measuring tabs share

@@ -18,7 +18,7 @@ from gui.languages.choice import SYSTEM, Languages
 from gui.languages.shown import shown
 from gui.main_window import MainWindow, Tab, TabModule
 from gui.messages import Messages
-from gui.settings import Settings, number_of, text_of
+from gui.settings import Settings, folder_of, number_of, text_of
 from gui.widgets.sound import Cue, Sounds
 from gui.widgets.states import BannerAction, BannerState
 from gui.widgets.theme import apply_theme
@@ -27,7 +27,6 @@ from gui.widgets.window_menu import LOOKS, VOLUMES
 if TYPE_CHECKING:
     from core.plans.plan import Plan, Step
     from drivers.profile import Profile
-    from gui.measuring.view import MeasuringView
 
 TABS: dict[str, str] = {
     "Dividing head": "gui.dividing_head.tab",
@@ -84,8 +83,8 @@ class Application(QObject):
         self._collector = Collector(self)
         self._qt = qt
         self._options = options
-        self._root = options.root or _default_root()
         self.settings = Settings(options.settings or _settings_path())
+        self._root = options.root or folder_of(self.settings) or _default_root()
         self.messages = Messages(self)
         self.jobs = Jobs(self)
         self.sounds = Sounds(parent=self)
@@ -179,13 +178,12 @@ class Application(QObject):
             tab = module.make_tab(services)
             self.tabs[title] = tab
             self.window.put_tab(place, tab.widget, title)
-        first = self.tabs["Dividing head"].widget
         self.guidance = Guidance(
             self.window,
             self.messages,
             self.settings,
             lambda: self._root,
-            cast("MeasuringView", first),
+            self.tabs,
             self._connect_rig,
         )
         self._made = True

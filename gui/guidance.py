@@ -1,15 +1,17 @@
-"""What helps the operator beside the tabs: distance view, sheet of keys, tour."""
+"""What helps the operator beside the tabs: distance view, sheet of keys, preferences, tour."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from PySide6.QtCore import QObject
 
 from gui.distance import Distance
 from gui.keys.showing import Keys
-from gui.main_window import MainWindow
+from gui.main_window import MainWindow, Tab
 from gui.measuring.view import MeasuringView
 from gui.messages import Messages
+from gui.preferences.presenter import Preferences
+from gui.preferences.view import PreferencesView
 from gui.settings import Settings
 from gui.tour.tour import Tour
 
@@ -23,7 +25,7 @@ class Guidance(QObject):
     messages : banner and log
     settings : what is remembered
     root : returns the folder of all sessions
-    page : the tab that the tour shows
+    tabs : by their titles; the first is the one that the tour shows
     connect : connects the simulated rig, if nothing is connected
     """
 
@@ -33,10 +35,14 @@ class Guidance(QObject):
         messages: Messages,
         settings: Settings,
         root: Callable[[], Path],
-        page: MeasuringView,
+        tabs: Mapping[str, Tab],
         connect: Callable[[], None],
     ) -> None:
         super().__init__(window)
         self.distance = Distance(window, messages)
         self.keys = Keys(window, messages, root)
+        self.preferences = Preferences(settings, tabs.values(), root(), self)
+        panel = PreferencesView(self.preferences, window.menu)
+        window.put_preferences(panel)
+        page = next(tab.widget for tab in tabs.values() if isinstance(tab.widget, MeasuringView))
         self.tour = Tour(window, page, messages, settings, connect)

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from core.certificates.measured import Measured
     from core.plans.plan import Plan, Step
     from gui.devices.view import DevicesView
+    from gui.preferences.view import PreferencesView
     from gui.services import Services
 
 
@@ -204,6 +205,20 @@ class MainWindow(QMainWindow):
             self.devices.hide()
         else:
             self.devices.open()
+
+    def put_preferences(self, panel: "PreferencesView") -> None:
+        """Put Preferences below the strip, closed."""
+        self.preferences = panel
+        panel.hide()
+        self._column.insertWidget(1, panel)
+        self.menu.preferences.triggered.connect(self.toggle_preferences)
+
+    def toggle_preferences(self) -> None:
+        """Open or close Preferences."""
+        if self.preferences.isVisible():
+            self.preferences.hide()
+        else:
+            self.preferences.open()
 
     def put_adc(self, panel: QWidget) -> None:
         """Put View ADC Data into its dock, which stands in every tab."""

@@ -64,6 +64,12 @@ class Settings:
         write_text_atomic(self.path, text + "\n")
 
 
+def folder_of(settings: Settings) -> Path | None:
+    """The folder of all sessions that the operator chose; None where he chose none."""
+    text = text_of(settings.section("laboratory"), "folder")
+    return Path(text) if text else None
+
+
 def number_of(section: Section, key: str, default: float, low: float, high: float) -> float:
     """A number of a section within its limits; the default where there is none such."""
     value = section.get(key)

@@ -95,6 +95,10 @@ def own_keys() -> Own:
                 ("Home", QCoreApplication.translate("Keys", "Turn to zero")),
             ),
         ),
+        "PreferencesView": (
+            QCoreApplication.translate("Keys", "Preferences"),
+            (("Esc", QCoreApplication.translate("Keys", "Close")),),
+        ),
         "CandidateView": (
             QCoreApplication.translate("Keys", "Candidates"),
             (("Return", QCoreApplication.translate("Keys", "Choose it")),),

@@ -11,6 +11,7 @@ guide             `Guide`: what is particular to one kind of test
 words             `Words`: how its steps are called
 head_words        those of every test on the dividing head
 settings          what the operator sets in every test
+site              what the laboratory states in every session
 device            what a tab needs to know of a device: its layout and its sensors
 nominal           what earlier calibrations tell of a device
 bench             the device on the rig: is it there, what does it send

@@ -144,6 +144,7 @@ def start_document(
     settings: MeasuringSettings,
     profile: Profile,
     layout: str,
+    operator: str,
 ) -> SessionStart:
     """What is known before the first position."""
     measured = replace(
@@ -166,6 +167,7 @@ def start_document(
         base=settings.base,
         tilter=settings.tilter_scalars(),
         settings=settings.extra(),
+        operator=operator,
         legacy="" if legacy is None else legacy.id,
     )
 

@@ -55,6 +55,8 @@ class Sitting(Generic[S], QObject):
         self._root = root
         self.plan = plan
         self.settings = settings
+        self.operator = ""
+        """Who measures, as every session states."""
         self.keeper = Keeper()
         self.walk = Walk(self)
         self._name = ""
@@ -133,6 +135,7 @@ class Sitting(Generic[S], QObject):
             self.settings,
             profile,
             device.layout,
+            self.operator,
         )
         folder = free_folder(self._root(), self.name)
         return self.stored(lambda: self.keeper.begin(folder, document), "No session can be made")

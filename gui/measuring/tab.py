@@ -1,6 +1,7 @@
 """A measuring tab put together."""
 
 from collections.abc import Sequence
+from dataclasses import fields, replace
 from pathlib import Path
 from typing import Any, Generic
 from weakref import WeakSet
@@ -19,6 +20,7 @@ from gui.measuring.results import Results
 from gui.measuring.results_view import ResultsView
 from gui.measuring.resuming import Resuming
 from gui.measuring.settings_view import SettingsForm
+from gui.measuring.site import SECTION, Site, site_of
 from gui.measuring.sitting import Sitting
 from gui.measuring.taking import Taking
 from gui.measuring.view import MeasuringView
@@ -64,6 +66,7 @@ class MeasuringTab(Generic[S], QObject):
         self.results = results
         results.setParent(self)
         self.sitting = Sitting[S](guide, self.bench, messages, services.root, plan, settings, self)
+        self.sitting.operator = site_of(services.settings.section(SECTION)).operator
         self.taking = Taking(self.sitting, self.bench, messages, self)
         self.presenter = MeasuringPresenter[S](
             self.bench, self.sitting, self.taking, results, plans, services.settings, self
@@ -130,6 +133,15 @@ class MeasuringTab(Generic[S], QObject):
             # It has the name of the plan that was there.
             self.presenter.set_steps(plan.steps)
         return True
+
+    def take_site(self, site: Site) -> None:
+        """The laboratory states who measures and where; a session keeps what it was begun with."""
+        self.sitting.operator = site.operator
+        if self.sitting.keeper.session is None:
+            settings = self.sitting.settings
+            known = {field.name for field in fields(settings)}
+            stated = {k: v for k, v in site.to_section().items() if k in known}
+            self.presenter.set_settings(replace(settings, **stated))
 
     def close(self) -> None:
         """Leave the session on the disk, to be continued."""
