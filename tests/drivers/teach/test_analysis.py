@@ -22,7 +22,7 @@ def understood(layout: Layout, proposal: Proposal, rng: np.random.Generator) -> 
     later = frames_of(layout, rng, 50_000, 300)
     _, starts, _ = frames_in(later.tobytes(), profile.stream)
     at_their_places = np.count_nonzero(starts % layout.length == 0)
-    return at_their_places >= 0.99 * len(later) and at_their_places == len(starts)
+    return bool(at_their_places >= 0.99 * len(later) and at_their_places == len(starts))
 
 
 @pytest.mark.slow
