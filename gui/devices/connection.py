@@ -5,14 +5,14 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from core.errors import LabError, LinkError
+from core.errors import LabError, LinkError, Severity
 from core.records.names import NO_NAME
 from core.samples.block import SampleBlock
 from drivers.events import Ended, Message
 from drivers.profile import Profile
 from gui.devices.link import Link
 from gui.devices.setup import DeviceSetup
-from gui.devices.words import PROPERTIES, RETRY, lost_banner, silent_banner
+from gui.devices.words import PROPERTIES, RETRY, lost_banner, paused_words, silent_banner
 from gui.messages import Messages
 from gui.widgets.states import DeviceStripState, LinkMark
 
@@ -108,6 +108,9 @@ class Connection(QObject):
                 link.close()
             except LinkError as error:
                 self._messages.tell_error(_SOURCE, "The port stays busy", error)
+            if link.storage_error is not None:
+                what = "The last bytes are not recorded"
+                self._messages.tell_error("raw log", what, link.storage_error)
         self._links = []
         self._told_silent = self.stopped = False
         self._messages.clear(_SOURCE)
@@ -142,6 +145,8 @@ class Connection(QObject):
                 if current:
                     self.resumed.emit()
                 self._tell()
+            case Message(kind="paused"):
+                self._messages.log(Severity.WARNING, paused_words(event.fields["gap_s"]), _SOURCE)
             case Ended():
                 self._on_ended(link, event.error)
             case _:

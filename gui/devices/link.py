@@ -100,7 +100,12 @@ class Link:
         events = self._reader.drain()
         if self._log is not None and events:
             # Bytes are stored before they are parsed, so these events lie after the older size.
-            self._raw_before, self._raw_now = self._raw_now, self._log.path.stat().st_size
+            try:
+                size = self._log.path.stat().st_size
+            except OSError:
+                # The folder went away: the events are samples all the same, and `sync` tells.
+                size = self._raw_now
+            self._raw_before, self._raw_now = self._raw_now, size
         return events
 
     def took(self, block: SampleBlock) -> None:

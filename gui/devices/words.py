@@ -44,3 +44,12 @@ def lost_banner(setup: DeviceSetup, why: str) -> BannerState:
         "Plug the adapter in again; the program reconnects by itself and goes on.",
         closable=False,
     )
+
+
+def paused_words(seconds: str) -> str:
+    """What the log says of a computer that slept."""
+    return (
+        f"The program stood still for {float(seconds):.1f} s, as when the computer sleeps. What the"
+        " port could not hold meanwhile is lost: a device with a counter tells how much, the record"
+        " of another one runs on as if no time had passed."
+    )

@@ -6,13 +6,15 @@ from pathlib import Path
 import pytest
 from pytestqt.qtbot import QtBot
 
+from core.errors import StorageError
 from core.samples.block import SampleBlock
+from drivers.events import Message
 from drivers.profile import load_profiles
 from drivers.rawlog import rawlog_header
 from drivers.virtual.address import rig_of
 from gui.devices.connection import Connection
 from gui.devices.setup import DeviceSetup, setups_of_section, setups_to_section
-from gui.messages import Messages
+from gui.messages import LogEntry, Messages
 from gui.widgets.states import DeviceStripState, LinkMark
 
 
@@ -136,3 +138,50 @@ def test_setups_survive_the_settings_and_nonsense_is_left_out():
     assert setups_of_section(setups_to_section(setups)) == setups
     assert setups_of_section({"devices": ["x", {"url": 3, "baud": "fast"}]}) == (DeviceSetup(),)
     assert setups_of_section({}) == ()
+
+
+def test_a_raw_log_that_went_away_costs_no_sample(
+    connection: Connection, tmp_path: Path, qtbot: QtBot
+):
+    blocks: list[SampleBlock] = []
+    connection.blocks.connect(blocks.append)
+    connection.open([pw09("gone", speed=5)])
+    qtbot.waitUntil(lambda: bool(blocks))
+    (path,) = (tmp_path / "raw").iterdir()
+    path.unlink()
+    count = len(blocks)
+    qtbot.waitUntil(lambda: len(blocks) > count + 3)
+    link = connection.link
+    assert link is not None
+    with pytest.raises(StorageError, match="not safe on disk"):
+        link.sync()
+
+
+def test_last_bytes_that_found_no_room_are_told(
+    connection: Connection, messages: Messages, monkeypatch: pytest.MonkeyPatch, qtbot: QtBot
+):
+    blocks: list[SampleBlock] = []
+    connection.blocks.connect(blocks.append)
+    connection.open([pw09("full", speed=5)])
+    qtbot.waitUntil(lambda: bool(blocks))
+    link = connection.link
+    assert link is not None
+    assert link._log is not None
+
+    def refuse() -> None:
+        raise StorageError("the disk is full")
+
+    monkeypatch.setattr(link._log._file, "close", refuse)
+    connection.close()
+    assert messages.current is not None
+    assert messages.current.what == "The last bytes are not recorded"
+
+
+def test_a_sleep_of_the_computer_stands_in_the_log(connection: Connection, messages: Messages):
+    lines: list[LogEntry] = []
+    messages.logged.connect(lines.append)
+    connection.open([pw09("sleep")])
+    link = connection.link
+    assert link is not None
+    connection._on_event(link, Message("paused", b"", {"gap_s": "7.250"}))
+    assert "stood still for 7.2 s" in lines[-1].text
