@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from core.archive.entry import DAMAGED, Entry
 from core.archive.reading import read_file
 from core.errors import FormatError, StorageError
-from core.records.atomic import not_stored
+from core.records.atomic import not_stored, sync_folder
 from core.records.cvgcom_name import FOLDER as CVGCOM_FOLDER
 from core.records.names import safe_name
 from core.records.session.record import START_NAME
@@ -128,13 +128,27 @@ def _copy(source: Path, folder: Path) -> tuple[Path, bool]:
                     shutil.copytree(source, draft)
                 else:
                     shutil.copy2(source, draft)
+                _sync(draft)
                 draft.rename(target)
+                sync_folder(folder)
                 return target, True
             if source.is_file() and _same(source, target):
                 return target, False
     except OSError as error:
         raise not_stored(folder, error, "what was imported before stays") from error
     raise StorageError(f"{folder}: a thousand files of the name {source.name}")
+
+
+def _sync(copy: Path) -> None:
+    """Wait until a copy is on the disk: whoever reads "taken" may delete what was copied."""
+    if os.name == "nt":  # Windows syncs only what may be written to, which a copy may not be
+        return
+    for path in [copy, *copy.rglob("*")] if copy.is_dir() else [copy]:
+        handle = os.open(path, os.O_RDONLY)
+        try:
+            os.fsync(handle)
+        finally:
+            os.close(handle)
 
 
 def _numbered(path: Path, count: int) -> Path:

@@ -1,5 +1,6 @@
 """Folders of old files come into the archive, each once."""
 
+import os
 import shutil
 from collections.abc import Callable
 from pathlib import Path
@@ -88,3 +89,25 @@ def test_folders_that_make_no_sense_are_refused(archive: Archive, tmp_path: Path
         import_folder(archive, archive.place.root / "a")
     with pytest.raises(StorageError, match="holds the archive"):
         import_folder(archive, tmp_path)
+
+
+def test_a_copy_is_on_the_disk_before_it_is_called_taken(
+    archive: Archive, tmp_path: Path, specimens: Copy, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    specimens(tmp_path / "old")
+    measured(tmp_path / "old" / "session")
+    synced: set[tuple[int, int]] = set()
+    real = os.fsync
+
+    def fsync(handle: int) -> None:
+        stat = os.fstat(handle)
+        synced.add((stat.st_dev, stat.st_ino))
+        real(handle)
+
+    monkeypatch.setattr(os, "fsync", fsync)
+    reports = import_folder(archive, tmp_path / "old")
+    copies = [report.copy for report in reports if report.copy is not None]
+    files = [file for copy in copies for file in (copy, copy.parent, *copy.rglob("*"))]
+    assert len(files) > 10
+    missed = [one for one in files if (one.stat().st_dev, one.stat().st_ino) not in synced]
+    assert (missed == []) or os.name == "nt"
