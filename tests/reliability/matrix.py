@@ -41,7 +41,7 @@ FAULTS: dict[str, Fault] = {
     "two file": _two("save one calibration", "overwrite", killed.whole_at_all),
     "two index": _two("index one folder", "index", killed.index_kept),
     **{
-        f"full {kind}": _disk(f"disk full while {words}", disks.full(kind), 12)
+        f"full {kind}": _disk(f"disk full while {words}", disks.full(kind), 6)
         for kind, words in disks.WORDS.items()
     },
     **{
