@@ -16,6 +16,8 @@ rows
     A stream laid out for the eye, one frame a row, each byte with its part.
 written
     A description as the text of a device file.
+speeds
+    At which speed a port makes sense.
 ear
     A decoder that only keeps the latest bytes.
 """

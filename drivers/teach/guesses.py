@@ -156,8 +156,8 @@ def _steps(steps: NDArray[np.int64], bits: int) -> tuple[NDArray[np.int64], Floa
     never moves is no counter: the one is there without that byte.
     """
     if not len(steps):
-        none: NDArray[np.int64] = np.zeros(steps.shape[1], dtype=np.int64)
-        return none, none.astype(np.float64)
+        columns = int(steps.shape[1])
+        return np.zeros(columns, dtype=np.int64), np.zeros(columns)
     turned: NDArray[np.int64] = steps % (1 << bits)
     middle: NDArray[np.int64] = np.partition(turned, len(turned) // 2, axis=0)[len(turned) // 2]
     share: FloatArray = np.asarray(np.mean(turned == middle, axis=0), dtype=np.float64)

@@ -1,5 +1,6 @@
 """Where the bytes come from: a port that is listened to, or a file."""
 
+import threading
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -8,7 +9,10 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from core.errors import LabError, LinkError, Severity
 from drivers.ports import list_ports
+from drivers.profile_types import PortSettings
 from drivers.teach.ear import Heard
+from drivers.teach.speeds import Trial, try_speeds
+from drivers.transport import open_port
 from gui.devices.connection import Connection
 from gui.frames.listening import Listening, heard_in
 from gui.frames.state import SourceState
@@ -41,6 +45,7 @@ class Source(QObject):
     """Other bytes than before begin to come."""
     read = Signal()
     """A file is here."""
+    _stepped = Signal(int)
 
     def __init__(
         self,
@@ -64,6 +69,8 @@ class Source(QObject):
         self._timer = QTimer(self)
         self._timer.setInterval(PERIOD_MS)
         self._timer.timeout.connect(self.tick)
+        self._cancel = threading.Event()
+        self._stepped.connect(self._on_speed)
 
     @property
     def tail(self) -> bytes:
@@ -93,17 +100,8 @@ class Source(QObject):
     def listen(self) -> None:
         """Open the port and listen."""
         url = self.state.url
-        if not url:
-            self.show(heard="Choose a port first")
+        if self.state.busy or not self._is_free(url):
             return
-        if any(setup.url == url for setup in self._connection.setups):
-            why = self._may_let_go()
-            if why:
-                self._messages.show(
-                    SOURCE, BannerState(Severity.WARNING, "The port is in use", why)
-                )
-                return
-            self._connection.close()
         self.stop()
         self.heard, self._frozen = Heard(), None
         self._listening = Listening(url, self.state.baud, self.raw_folder)
@@ -113,8 +111,28 @@ class Source(QObject):
         self.fresh.emit()
         self._timer.start()
 
+    def find_speed(self) -> None:
+        """Listen at each speed until one makes sense, then go on at that one."""
+        url = self.state.url
+        if self.state.busy or not self._is_free(url):
+            return
+        self.stop()
+        self._cancel.clear()
+        self.show(busy="Listening at every speed")
+        self._jobs.start(
+            "speeds",
+            lambda: try_speeds(
+                lambda baud: open_port(url, _port(baud), baud),
+                cancel=self._cancel,
+                progress=self._stepped.emit,
+            ),
+            self._on_speeds,
+            self._on_failed,
+        )
+
     def stop(self) -> None:
         """Let go of the port; what was heard stays. May be called again."""
+        self._cancel.set()
         self._timer.stop()
         listening, self._listening = self._listening, None
         if listening is None:
@@ -158,6 +176,38 @@ class Source(QObject):
             self.state = state
             self.changed.emit(state)
 
+    def _is_free(self, url: str) -> bool:
+        """Whether there is a port, and no device that measures stands at it."""
+        if not url:
+            self.show(heard="Choose a port first")
+            return False
+        if any(setup.url == url for setup in self._connection.setups):
+            why = self._may_let_go()
+            if why:
+                self._messages.show(
+                    SOURCE, BannerState(Severity.WARNING, "The port is in use", why)
+                )
+                return False
+            self._connection.close()
+        return True
+
+    def _on_speed(self, baud: int) -> None:
+        if self.state.busy:
+            self.show(busy=f"Listening at {baud} baud")
+
+    def _on_speeds(self, trials: object) -> None:
+        if not isinstance(trials, list):
+            raise TypeError(f"a search of speeds brought {type(trials).__name__}")
+        self.show(busy="")
+        heard = [trial for trial in trials if isinstance(trial, Trial)]
+        if heard and heard[0].proposal.found is not None:
+            self.show(baud=heard[0].baud)
+            self.listen()
+        elif any(trial.count for trial in heard):
+            self.show(heard="Bytes come, but at no speed do they repeat themselves")
+        elif heard:
+            self.show(heard="Silent at every speed; is the board switched on?")
+
     def _on_ports(self, ports: object) -> None:
         if not isinstance(ports, tuple):
             raise TypeError(f"a port list is {type(ports).__name__}")
@@ -177,3 +227,7 @@ class Source(QObject):
     def _on_failed(self, error: LabError) -> None:
         self.show(busy="")
         self._messages.tell_error(SOURCE, "The bytes cannot be had", error)
+
+
+def _port(baud: int) -> PortSettings:
+    return PortSettings((baud,), 8, "N", 1, 0, dtr=False, rts=False)

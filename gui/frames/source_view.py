@@ -30,21 +30,20 @@ class SourceView(QWidget):
         self._dialog: QFileDialog | None = None
         self._port_label, self._baud_label = QLabel(), QLabel()
         self.port, self.baud = QComboBox(), QComboBox()
-        for box, letters in ((self.port, 26), (self.baud, 7)):
+        for box, letters in ((self.port, 16), (self.baud, 7)):
             box.setEditable(True)
             box.setInsertPolicy(QComboBox.InsertPolicy.NoInsert)
             box.setMinimumContentsLength(letters)
         self.baud.addItems([str(baud) for baud in BAUDS])
-        self.listen, self.open, self.search = QPushButton(), QPushButton(), QPushButton()
+        self.listen, self.speed = QPushButton(), QPushButton()
+        self.open, self.search = QPushButton(), QPushButton()
         self.hold = Toggle()
         self.heard = WordLabel()
         row = QHBoxLayout(self)
         unit = self.fontMetrics().height()
         row.setContentsMargins(unit, unit // 2, unit, unit // 2)
-        for widget in (
-            self._port_label, self.port, self._baud_label, self.baud, self.listen, self.open,
-            self.search, self.hold,
-        ):  # fmt: skip
+        boxes = (self._port_label, self.port, self._baud_label, self.baud)
+        for widget in (*boxes, self.listen, self.speed, self.open, self.search, self.hold):
             row.addWidget(widget)
         row.addWidget(self.heard, 1)
         self.port.activated.connect(self._on_port_chosen)
@@ -54,6 +53,7 @@ class SourceView(QWidget):
             if line is not None:
                 line.editingFinished.connect(slot)
         self.listen.clicked.connect(self._on_listen)
+        self.speed.clicked.connect(self._on_speed)
         self.open.clicked.connect(self._on_open)
         self.search.clicked.connect(self.find_requested)
         self.hold.toggled.connect(source.hold)
@@ -76,6 +76,8 @@ class SourceView(QWidget):
         if not self.baud.hasFocus():
             self.baud.setCurrentText(str(state.baud))
         self.port.setEnabled(not state.listening)
+        for button in (self.listen, self.speed, self.open, self.search):
+            button.setEnabled(not state.busy)
         self.listen.setText(self.tr("Stop listening") if state.listening else self.tr("Listen"))
         self.listen.setProperty("primary", not state.listening)
         with QSignalBlocker(self.hold):
@@ -94,6 +96,10 @@ class SourceView(QWidget):
         self._baud_label.setText(self.tr("BaudRate"))
         self.port.setAccessibleName(self._port_label.text())
         self.baud.setAccessibleName(self._baud_label.text())
+        self.speed.setText(self.tr("Find speed"))
+        self.speed.setToolTip(
+            self.tr("Listens at each baud rate until the bytes make sense; nothing is sent")
+        )
         self.open.setText(self.tr("Raw log…"))
         self.open.setToolTip(self.tr("Take the bytes of a raw log, a recording, or any file"))
         self.search.setText(self.tr("Find layout"))
@@ -110,6 +116,10 @@ class SourceView(QWidget):
             self._source.stop()
         else:
             self._source.listen()
+
+    def _on_speed(self) -> None:
+        self._on_port_typed()
+        self._source.find_speed()
 
     def _on_port_chosen(self, index: int) -> None:
         url = self.port.itemData(index)

@@ -120,6 +120,21 @@ def test_held_bytes_stand_still(desk: Desk, qtbot: QtBot):
         board.close()
 
 
+def test_the_speed_is_found_and_listened_at(desk: Desk, qtbot: QtBot):
+    board = Board(strange())
+    try:
+        desk.source.set_port(board.port)
+        desk.source.find_speed()
+        assert desk.source.state.busy
+        qtbot.waitUntil(lambda: desk.source.state.listening, timeout=20_000)
+        # A pty passes bytes on at any speed: the first one makes sense already.
+        assert desk.source.state.baud == 115200
+        qtbot.waitUntil(lambda: desk.presenter.state.sure, timeout=20_000)
+    finally:
+        desk.source.stop()
+        board.close()
+
+
 def test_a_port_that_cannot_be_opened_is_told(desk: Desk, qtbot: QtBot, tmp_path: Path):
     desk.source.set_port(str(tmp_path / "no-port"))
     desk.source.listen()
