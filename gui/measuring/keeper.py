@@ -56,8 +56,9 @@ class Keeper:
 
     def begin(self, folder: Path, start: SessionStart) -> None:
         """Begin a session in a new folder; raises `StorageError`."""
-        self._session = Session.create(folder, start)
-        self._acts = []
+        session = Session.create(folder, start)
+        self.close()
+        self._session = session
 
     def resume(self, folder: Path) -> Session:
         """Continue a session; raises `StorageError` or `FormatError`."""

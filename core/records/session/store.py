@@ -13,7 +13,7 @@ from pathlib import Path
 
 from core.errors import FormatError, LabError, StorageError
 from core.plans.plan import Step
-from core.records.atomic import not_stored, write_text_atomic
+from core.records.atomic import not_stored, sync_folder, write_text_atomic
 from core.records.legacy.layout import LEGACY_FORMATS
 from core.records.names import safe_name
 from core.records.run_file import run_text
@@ -67,6 +67,8 @@ class Session:
         """
         try:
             folder.mkdir(parents=True, exist_ok=True)
+            # Until its name is on the disk, a power cut takes the folder with all that is in it.
+            sync_folder(folder.parent)
         except OSError as error:
             raise not_stored(folder, error, "nothing has been measured yet") from error
         if (folder / START_NAME).exists() or (folder / JOURNAL_NAME).exists():

@@ -357,3 +357,10 @@ def test_a_session_that_could_not_begin_leaves_the_folder_free(tmp_path, start, 
             Session.create(tmp_path / "s", start)
     with Session.create(tmp_path / "s", start) as session:
         assert session.positions == ()
+
+
+def test_the_name_of_the_folder_is_on_the_disk(tmp_path, start, monkeypatch):
+    synced = []
+    monkeypatch.setattr("core.records.session.store.sync_folder", synced.append)
+    Session.create(tmp_path / "root" / "s", start).close()
+    assert synced == [tmp_path / "root"]
