@@ -34,10 +34,11 @@ _NOT_SHOWN = (
 )
 """Words for programmers, consoles and files; and pages that are translated when they are made."""
 _WORDS = (
-    "angle", "angles", "code", "done", "heading", "headings", "now", "position", "positions",
-    "problem", "rate", "rates", "row", "rows", "turn-on", "turn-ons",
+    "angle", "angles", "code", "column", "done", "heading", "headings", "line", "now", "position",
+    "positions", "problem", "rate", "rates", "row", "rows", "turn-on", "turn-ons",
+    "{n} files", "{n} headings", "{n} positions", "{n} rates", "{n} rows", "{n} samples",
 )  # fmt: skip
-"""Single words that sentences are put together from while the program runs."""
+"""What sentences are put together from while the program runs."""
 _PLANS = "resources/plans"
 _OWN_ERRORS = {"TypeError", "AssertionError", "RuntimeError", "NotImplementedError", "KeyError"}
 """Faults of the program; they are told as they are."""

@@ -17,10 +17,14 @@ SHOWN = "Shown"
 """The context of the texts that are translated here."""
 
 _GAP = re.compile(r"\{\w+\}")
-_WIDE = 12
-"""From so many letters outside its gaps a template may hold sentences in them."""
+_WIDE, _LONG = 12, 20
+"""Letters outside the gaps from which these may hold joined parts, and whole sentences."""
 _NARROW_GAP = r"((?:(?![,;:] )[^\n]){0,60}?)"
-_WIDE_GAP = r"(.*?)"
+_WIDE_GAP = r"((?:(?!\. [A-Z]).)*?)"
+_LONG_GAP = r"(.*?)"
+_WEAK = 4
+"""With fewer letters, "{low} to {high}", gaps hold a number with its unit or one word."""
+_WEAK_GAP = r"(\S*\d\S*(?: \S{1,6})?|[^\s,;:]+)"
 _DEPTH = 4
 _LABEL = 40
 """Longest name before a colon that a sentence is about."""
@@ -107,19 +111,17 @@ class Book:
 
     def _whole(self, text: str, depth: int) -> str | None:
         """Return what one entry makes of the text, also where it was made a sentence of."""
-        for told, stop in ((text, ""), (text[:-1], text[-1])):
-            if stop not in ("", ".", ":"):
-                continue
+        stopped = ((text, ""), (text[:-1], text[-1])) if text[-1] in ".:" else ((text, ""),)
+        for told, stop in stopped:
             if (words := self._exact.get(told)) is not None:
                 return words + stop
-            small = told[:1].lower() + told[1:]
-            if (words := self._exact.get(small)) is not None:
-                return words[:1].upper() + words[1:] + stop
-            for variant in dict.fromkeys((told, small)):
-                words = self._filled(variant, depth)
-                if words is not None:
-                    capital = variant is not told
-                    return (words[:1].upper() + words[1:] if capital else words) + stop
+            if (words := self._exact.get(_small(told))) is not None:
+                return _large(words) + stop
+        for told, stop in stopped:
+            if (words := self._filled(told, depth)) is not None:
+                return words + stop
+            if (words := self._filled(_small(told), depth)) is not None:
+                return _large(words) + stop
         return None
 
     def _filled(self, text: str, depth: int) -> str | None:
@@ -184,6 +186,14 @@ def shown_number(text: str) -> str:
     return text if book is None else book.number(text)
 
 
+def _small(text: str) -> str:
+    return text[:1].lower() + text[1:]
+
+
+def _large(text: str) -> str:
+    return text[:1].upper() + text[1:]
+
+
 def _forms(message: Message) -> Iterable[tuple[str, str]]:
     """The templates of an entry; what is put behind another text has a gap for that one."""
     if _GAP.search(message.source):
@@ -192,7 +202,10 @@ def _forms(message: Message) -> Iterable[tuple[str, str]]:
         yield f"{{before}}{message.source}", f"{{before}}{message.translation}"
 
 
+_GAPS = ((_LONG, _LONG_GAP), (_WIDE, _WIDE_GAP), (_WEAK, _NARROW_GAP), (0, _WEAK_GAP))
+
+
 def _pattern(template: _Template) -> re.Pattern[str]:
-    gap = _WIDE_GAP if template.weight >= _WIDE else _NARROW_GAP
+    gap = next(gap for weight, gap in _GAPS if template.weight >= weight)
     parts = [re.escape(part) for part in _GAP.split(template.source)]
     return re.compile(gap.join(parts), re.DOTALL)

@@ -426,21 +426,19 @@
         </message>
     </context>
     <context>
+        <name>BytesView</name>
+        <message>
+            <location filename="../../gui/frames/bytes_view.py" />
+            <source>Choose the port of the board and its baud rate, and press Listen; or open a raw log. Frames, checksum and numbers are then looked for by themselves.</source>
+            <translation>Виберіть порт плати і його швидкість та натисніть «Слухати»; або відкрийте необроблений журнал. Кадри, контрольну суму і числа буде знайдено самостійно.</translation>
+        </message>
+    </context>
+    <context>
         <name>Callout</name>
         <message>
             <location filename="../../gui/tour/view.py" />
             <source>{number} of {count}</source>
             <translation>{number} з {count}</translation>
-        </message>
-        <message>
-            <location filename="../../gui/tour/view.py" />
-            <source>Next</source>
-            <translation>Далі</translation>
-        </message>
-        <message>
-            <location filename="../../gui/tour/view.py" />
-            <source>Done</source>
-            <translation>Готово</translation>
         </message>
         <message>
             <location filename="../../gui/tour/view.py" />
@@ -451,6 +449,16 @@
             <location filename="../../gui/tour/view.py" />
             <source>Back</source>
             <translation>Назад</translation>
+        </message>
+        <message>
+            <location filename="../../gui/tour/view.py" />
+            <source>Done</source>
+            <translation>Готово</translation>
+        </message>
+        <message>
+            <location filename="../../gui/tour/view.py" />
+            <source>Next</source>
+            <translation>Далі</translation>
         </message>
     </context>
     <context>
@@ -2171,8 +2179,13 @@
         </message>
         <message>
             <location filename="../../gui/certificate/limits_view.py" />
-            <source>Found</source>
-            <translation>Знайдено</translation>
+            <source>Nominal</source>
+            <translation>Номінал</translation>
+        </message>
+        <message>
+            <location filename="../../gui/certificate/limits_view.py" />
+            <source>± Limit</source>
+            <translation>± Limit</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/limits_view.py" />
@@ -2181,13 +2194,8 @@
         </message>
         <message>
             <location filename="../../gui/certificate/limits_view.py" />
-            <source>Nominal</source>
-            <translation>Номінал</translation>
-        </message>
-        <message>
-            <location filename="../../gui/certificate/limits_view.py" />
-            <source>± Limit</source>
-            <translation>± Limit</translation>
+            <source>Found</source>
+            <translation>Знайдено</translation>
         </message>
     </context>
     <context>
@@ -2830,6 +2838,79 @@
         </message>
     </context>
     <context>
+        <name>PreferencesView</name>
+        <message>
+            <location filename="../../gui/preferences/view.py" />
+            <source>Sessions go there from the next start on; nothing is moved.</source>
+            <translation>Сеанси йдуть туди з наступного запуску; нічого не переноситься.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/preferences/view.py" />
+            <source>Gravity and latitude are taken by every tab that is not in the middle of a session; a tab may still state its own.</source>
+            <translation>Прискорення тяжіння і широту бере кожна вкладка, що не посеред сеансу; вкладка може вказати свої.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/preferences/view.py" />
+            <source>Folder of sessions</source>
+            <translation>Тека сеансів</translation>
+        </message>
+        <message>
+            <location filename="../../gui/preferences/view.py" />
+            <source>Preferences</source>
+            <translation>Налаштування</translation>
+        </message>
+        <message>
+            <location filename="../../gui/preferences/view.py" />
+            <source>Operator</source>
+            <translation>Оператор</translation>
+        </message>
+        <message>
+            <location filename="../../gui/preferences/view.py" />
+            <source>Local g</source>
+            <translation>Місцеве g</translation>
+        </message>
+        <message>
+            <location filename="../../gui/preferences/view.py" />
+            <source>u(g)</source>
+            <translation>u(g)</translation>
+        </message>
+        <message>
+            <location filename="../../gui/preferences/view.py" />
+            <source>Latitude</source>
+            <translation>Широта</translation>
+        </message>
+        <message>
+            <location filename="../../gui/preferences/view.py" />
+            <source>Look</source>
+            <translation>Вигляд</translation>
+        </message>
+        <message>
+            <location filename="../../gui/preferences/view.py" />
+            <source>Sounds</source>
+            <translation>Звуки</translation>
+        </message>
+        <message>
+            <location filename="../../gui/preferences/view.py" />
+            <source>stated in every session</source>
+            <translation>вказується в кожному сеансі</translation>
+        </message>
+        <message>
+            <location filename="../../gui/preferences/view.py" />
+            <source>not stated</source>
+            <translation>не вказано</translation>
+        </message>
+        <message>
+            <location filename="../../gui/preferences/view.py" />
+            <source>Browse</source>
+            <translation>Огляд…</translation>
+        </message>
+        <message>
+            <location filename="../../gui/preferences/view.py" />
+            <source>Close</source>
+            <translation>Закрити</translation>
+        </message>
+    </context>
+    <context>
         <name>PreviewView</name>
         <message>
             <location filename="../../gui/certificate/preview_view.py" />
@@ -3028,6 +3109,14 @@
         </message>
     </context>
     <context>
+        <name>ResultTable</name>
+        <message>
+            <location filename="../../gui/widgets/result_table.py" />
+            <source>Table of results</source>
+            <translation>Таблиця результатів</translation>
+        </message>
+    </context>
+    <context>
         <name>ResultsView</name>
         <message>
             <location filename="../../gui/measuring/results_view.py" />
@@ -3130,7 +3219,7 @@
         <message>
             <location filename="../../gui/rig/view.py" />
             <source>Turn</source>
-            <translation>Так</translation>
+            <translation>Пуск</translation>
         </message>
         <message>
             <location filename="../../gui/rig/view.py" />
@@ -3187,6 +3276,14 @@
             <location filename="../../gui/discrepancy/ladder_view.py" />
             <source>Take back {title}</source>
             <translation>Прибрати {title}</translation>
+        </message>
+    </context>
+    <context>
+        <name>SampleTable</name>
+        <message>
+            <location filename="../../gui/live/table_view.py" />
+            <source>Table of samples</source>
+            <translation>Таблиця відліків</translation>
         </message>
     </context>
     <context>
@@ -4913,12 +5010,12 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
             <source>Simulate with This Model</source>
-            <translation>Симулювати з цією моделлю</translation>
+            <translation>Симулювати</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
             <source>Hide Simulation</source>
-            <translation>Сховати симуляцію</translation>
+            <translation>Без симуляції</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
@@ -5719,6 +5816,11 @@ State the noise of the gyro at the left, or take it from a record, to see how lo
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
+            <source>Preferences</source>
+            <translation>Налаштування</translation>
+        </message>
+        <message>
+            <location filename="../../gui/keys/own_keys.py" />
             <source>Candidates</source>
             <translation>Кандидати</translation>
         </message>
@@ -6025,12 +6127,12 @@ State the noise of the gyro at the left, or take it from a record, to see how lo
         <message>
             <location filename="../../gui/rate_table/words.py" />
             <source>counter-clockwise seen from above</source>
-            <translation>проти годинникової стрілки, якщо дивитися зверху</translation>
+            <translation>проти годинникової, якщо зверху</translation>
         </message>
         <message>
             <location filename="../../gui/rate_table/words.py" />
             <source>clockwise seen from above</source>
-            <translation>за годинниковою стрілкою, якщо дивитися зверху</translation>
+            <translation>за годинниковою, якщо зверху</translation>
         </message>
         <message>
             <location filename="../../gui/rate_table/words.py" />
@@ -7260,6 +7362,11 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         </message>
         <message>
             <location filename="../../gui/devices/connection.py" />
+            <source>The last bytes are not recorded</source>
+            <translation>Останні байти не записано</translation>
+        </message>
+        <message>
+            <location filename="../../gui/devices/connection.py" />
             <source>No link</source>
             <translation>Немає зв'язку</translation>
         </message>
@@ -7402,6 +7509,11 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
             <location filename="../../gui/devices/words.py" />
             <source>Try again</source>
             <translation>Спробувати знову</translation>
+        </message>
+        <message>
+            <location filename="../../gui/devices/words.py" />
+            <source>The program stood still for {float} s, as when the computer sleeps. What the port could not hold meanwhile is lost: a device with a counter tells how much, the record of another one runs on as if no time had passed.</source>
+            <translation>Програма стояла {float} s, як коли комп'ютер спить. Те, чого порт за цей час не вмістив, втрачено: пристрій із лічильником каже скільки, а запис іншого триває, наче час не минав.</translation>
         </message>
         <message>
             <location filename="../../gui/devices/words.py" />
@@ -7729,6 +7841,26 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
             <translation>Збережено: {saved}</translation>
         </message>
         <message>
+            <location filename="../../gui/frames/demo.py" />
+            <source>the layout was not found</source>
+            <translation>будову не знайдено</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/demo.py" />
+            <source>Invented board</source>
+            <translation>Вигадана плата</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/demo.py" />
+            <source>the device file could not be saved</source>
+            <translation>файл пристрою не вдалося зберегти</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/demo.py" />
+            <source>invented board</source>
+            <translation>вигадана плата</translation>
+        </message>
+        <message>
             <location filename="../../gui/frames/fields_view.py" />
             <source>{hint}, no channel</source>
             <translation>{hint}, не канал</translation>
@@ -7804,11 +7936,6 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
             <translation>«{sync}» не є рядком байтів на кшталт "AA 55"</translation>
         </message>
         <message>
-            <location filename="../../gui/frames/readings.py" />
-            <source>column {x}</source>
-            <translation>стовпець {x}</translation>
-        </message>
-        <message>
             <location filename="../../gui/frames/saving.py" />
             <source>There is a device file "{stem}" of the program: choose another name</source>
             <translation>Є файл пристрою «{stem}» із програми: виберіть іншу назву</translation>
@@ -7820,13 +7947,13 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         </message>
         <message>
             <location filename="../../gui/frames/source.py" />
-            <source>Reading {name}</source>
-            <translation>Читання {name}</translation>
+            <source>Listening at every speed</source>
+            <translation>Прослуховування на кожній швидкості</translation>
         </message>
         <message>
             <location filename="../../gui/frames/source.py" />
-            <source>Choose a port first</source>
-            <translation>Спершу виберіть порт</translation>
+            <source>Reading {name}</source>
+            <translation>Читання {name}</translation>
         </message>
         <message>
             <location filename="../../gui/frames/source.py" />
@@ -7835,11 +7962,31 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         </message>
         <message>
             <location filename="../../gui/frames/source.py" />
+            <source>Choose a port first</source>
+            <translation>Спершу виберіть порт</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/source.py" />
+            <source>Listening at {baud} baud</source>
+            <translation>Прослуховування на {baud} baud</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/source.py" />
             <source>The port is in use</source>
             <translation>Порт використовується</translation>
         </message>
         <message>
-            <location filename="../../gui/frames/taught.py" />
+            <location filename="../../gui/frames/source.py" />
+            <source>Bytes come, but at no speed do they repeat themselves</source>
+            <translation>Байти надходять, але на жодній швидкості не повторюються</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/source.py" />
+            <source>Silent at every speed; is the board switched on?</source>
+            <translation>Тиша на кожній швидкості; чи ввімкнено плату?</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/state.py" />
             <source>Nothing is described yet</source>
             <translation>Ще нічого не описано</translation>
         </message>
@@ -10050,7 +10197,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/discrepancy/problem.py" />
             <source>{name} is left out: its own input never changes in these rows; add positions</source>
-            <translation type="unfinished" />
+            <translation>{name} пропущено: його власний вхід у цих рядках не змінюється; додайте положення</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/problem.py" />
@@ -15044,6 +15191,11 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../gui/languages/plain_texts.py" />
+            <source>column</source>
+            <translation>стовпець</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
             <source>done</source>
             <translation>готово</translation>
         </message>
@@ -15056,6 +15208,11 @@ Without a command the window opens.</translation>
             <location filename="../../gui/languages/plain_texts.py" />
             <source>headings</source>
             <translation>курси</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>line</source>
+            <translation>рядок</translation>
         </message>
         <message>
             <location filename="../../gui/languages/plain_texts.py" />
@@ -15086,6 +15243,36 @@ Without a command the window opens.</translation>
             <location filename="../../gui/languages/plain_texts.py" />
             <source>turn-on</source>
             <translation>увімкнення</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>{n} files</source>
+            <translation>файлів: {n}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>{n} headings</source>
+            <translation>курсів: {n}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>{n} positions</source>
+            <translation>положень: {n}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>{n} rates</source>
+            <translation>швидкостей: {n}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>{n} rows</source>
+            <translation>рядків: {n}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>{n} samples</source>
+            <translation>відліків: {n}</translation>
         </message>
         <message>
             <location filename="../../resources/plans/accelerometer_4.toml" />
@@ -15319,6 +15506,16 @@ Without a command the window opens.</translation>
             <location filename="../../gui/frames/source_view.py" />
             <source>BaudRate</source>
             <translation>Швидкість</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/source_view.py" />
+            <source>Find speed</source>
+            <translation>Знайти швидкість</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/source_view.py" />
+            <source>Listens at each baud rate until the bytes make sense; nothing is sent</source>
+            <translation>Слухає на кожній швидкості, доки байти не набудуть сенсу; нічого не надсилається</translation>
         </message>
         <message>
             <location filename="../../gui/frames/source_view.py" />
