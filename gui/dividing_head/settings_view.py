@@ -83,7 +83,9 @@ class HeadForm(SettingsForm[HeadSettings]):
             (lambda: self.tr("Tilter No."), self._tilter_number),
             (lambda: self.tr("Position"), self._tilter_position),
         ):
-            auto.addWidget(self.caption(words))
+            name = self.caption(words)
+            name.setBuddy(field)
+            auto.addWidget(name)
             auto.addWidget(field)
         auto.addStretch(1)
         manual = self.grid()

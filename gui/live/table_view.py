@@ -2,7 +2,7 @@
 
 import math
 
-from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, Qt
+from PySide6.QtCore import QAbstractTableModel, QEvent, QModelIndex, QPersistentModelIndex, Qt
 from PySide6.QtWidgets import QHeaderView, QTableView, QWidget
 
 from gui.languages.shown import shown_number
@@ -29,6 +29,7 @@ class SampleTable(QTableView):
         self.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         self.horizontalHeader().setDefaultSectionSize(13 * self.fontMetrics().averageCharWidth())
         self.horizontalHeader().setHighlightSections(False)
+        self._retranslate()
 
     def take(self, trace: Trace | None, shown: list[int], decimation: int) -> None:
         """Show another trace, or other channels of it."""
@@ -39,6 +40,14 @@ class SampleTable(QTableView):
             number = "  −00.000000000  "
             width = max(metrics.horizontalAdvance(text) for text in (f"  {title}  ", number))
             self.setColumnWidth(column, width)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.LanguageChange:
+            self._retranslate()
+
+    def _retranslate(self) -> None:
+        self.setAccessibleName(self.tr("Table of samples"))
 
     def refresh(self) -> None:
         """Show the samples that have come since."""

@@ -55,5 +55,7 @@ class ToolsView(QWidget):
     def _retranslate(self) -> None:
         self._points_label.setText(self.tr("Point on chart"))
         self._decimation_label.setText(self.tr("Decimation (table)"))
+        self.points.setAccessibleName(self._points_label.text())
+        self.decimation.setAccessibleName(self._decimation_label.text())
         self.points.setToolTip(self.tr("Display only: the record is never decimated"))
         self.decimation.setToolTip(self.points.toolTip())

@@ -68,6 +68,7 @@ class Callout(QWidget):
         column.addWidget(self._text)
         column.addSpacing(unit // 2)
         column.addLayout(row)
+        self._retranslate()
         self.setFixedWidth(28 * unit)
         self.setAutoFillBackground(True)
         self.hide()
@@ -85,9 +86,7 @@ class Callout(QWidget):
         self._count.setText(self.tr("{number} of {count}").format(number=number, count=count))
         self._back.setVisible(number > 1)
         self._leave.setVisible(number < count)
-        self.next.setText(self.tr("Next") if number < count else self.tr("Done"))
-        self._leave.setText(self.tr("Leave the tour"))
-        self._back.setText(self.tr("Back"))
+        self._retranslate()
         self.setAccessibleName(title)
         self.setAccessibleDescription(text)
         # Wrapped words need the width to know their height.
@@ -95,6 +94,12 @@ class Callout(QWidget):
         self.adjustSize()
         self.show()
         self.raise_()
+
+    def _retranslate(self) -> None:
+        self._leave.setText(self.tr("Leave the tour"))
+        self._back.setText(self.tr("Back"))
+        last = self._leave.isHidden() and not self.isHidden()
+        self.next.setText(self.tr("Done") if last else self.tr("Next"))
 
     def stand_beside(self, area: QRect) -> None:
         """Go where the area is not covered: below, above, right or left of it."""

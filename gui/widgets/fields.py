@@ -27,6 +27,8 @@ class NumberField(QDoubleSpinBox):
         self.setGroupSeparatorShown(False)
         self.setKeyboardTracking(False)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        # The style sheet's padding does not reach the line within a spin box.
+        self.lineEdit().setTextMargins(self.fontMetrics().height() // 4, 0, 0, 0)
 
     def validate(self, text: str, place: int) -> object:
         return super().validate(self._with_mark(text), place)

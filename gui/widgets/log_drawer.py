@@ -92,7 +92,8 @@ class LogDrawer(QWidget):
     def _retranslate(self) -> None:
         self._button.setText(self.tr("Log") + (" ▾" if self._button.isChecked() else " ▴"))
         self._button.setToolTip(self.tr("Show or hide the log (Ctrl+L)"))
-        self._button.setAccessibleName(self.tr("Log"))
+        for widget in (self._button, self._table):
+            widget.setAccessibleName(self.tr("Log"))
         self._newest.setToolTip(shown(self._tip))
 
 

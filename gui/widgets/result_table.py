@@ -68,6 +68,7 @@ class ResultTable(QWidget):
         self._equation.setText(table.equation)
         self._equation.setVisible(bool(table.equation))
         self._view.show_table(table)
+        self._view.setAccessibleName(shown(table.title) or self.tr("Table of results"))
         self.setAccessibleName(shown(table.title))
         self.setAccessibleDescription(shown(table.equation))
         self.updateGeometry()

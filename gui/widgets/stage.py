@@ -23,6 +23,9 @@ from gui.widgets.word_label import WordLabel
 LEAST_PX = 48
 """Height of the headline in device-independent pixels that is still read from 3 m."""
 _MOST_PX = 84
+_DETAIL = (1.7, 1.5, 1.3, 1.15, 1.0)
+"""Sizes of the detail, of the window's letters; narrow stages begin with the third."""
+_WIDE_PX = 700
 _BAR_PX = 8
 
 
@@ -86,6 +89,7 @@ class Stage(QWidget):
         if state.progress is not None:
             self._ring.set_progress(state.progress, state.remaining_s)
         self._next.render(state)
+        self._size_detail()
         self.setAccessibleName(shown(state.headline))
         self.setAccessibleDescription(shown(state.detail))
         self.update()
@@ -109,8 +113,19 @@ class Stage(QWidget):
         self._size_detail()
 
     def _size_detail(self) -> None:
-        font = QFont(self.font())
-        font.setPointSizeF(self.font().pointSizeF() * (1.7 if self.width() > 700 else 1.3))
+        """As large as it stands below the headline, so that no line of it is cut."""
+        font, unit = QFont(self.font()), self.fontMetrics().height()
+        room = self.height() - 3 * unit - self._headline.heightForWidth(self._headline.width())
+        if not self._next.isHidden():
+            room -= self._next.sizeHint().height()
+        for factor in _DETAIL if self.width() > _WIDE_PX else _DETAIL[2:]:
+            font.setPointSizeF(self.font().pointSizeF() * factor)
+            box = QRectF(0, 0, max(self._headline.width(), 1), 0)
+            words = QFontMetricsF(font).boundingRect(
+                box, Qt.TextFlag.TextWordWrap, self._detail.text()
+            )
+            if words.height() <= room:
+                break
         if font != self._detail.font():
             self._detail.setFont(font)
 

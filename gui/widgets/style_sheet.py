@@ -46,7 +46,6 @@ QLineEdit:read-only {{ color: {text}; }}
 QAbstractSpinBox QLineEdit, QComboBox QLineEdit {{
     border: none; background: transparent; padding: 0; min-height: 0;
 }}
-QAbstractSpinBox QLineEdit {{ padding-left: 0.35em; }}
 QAbstractSpinBox {{ padding-right: 1.5em; }}
 QAbstractSpinBox::up-button, QAbstractSpinBox::down-button {{
     subcontrol-origin: border; border: none; width: 1.4em; background: transparent;
@@ -101,7 +100,7 @@ QScrollBar::add-page, QScrollBar::sub-page {{ background: transparent; }}
 QTabWidget::pane {{ border: none; border-top: 1px solid {line}; }}
 QTabBar {{ qproperty-drawBase: 0; }}
 QTabBar::tab {{
-    color: {muted}; background: transparent; padding: 0.45em 1em; border: none;
+    color: {muted}; background: transparent; padding: 0.45em 0.6em; border: none;
     border-bottom: 0.2em solid transparent;
 }}
 QTabBar::tab:hover {{ color: {text}; }}

@@ -86,3 +86,27 @@ def test_the_longest_word_is_never_cut(stage):
     assert lines == ["Вимірювання"]
     room = headline(stage).width() - 1.25 * LEAST_PX
     assert QFontMetricsF(font).horizontalAdvance(lines[0]) <= room
+
+
+@pytest.mark.parametrize("size", [(700, 255), (940, 300), (1500, 420)])
+def test_no_line_of_the_detail_is_cut(qtbot, size):
+    stage = Stage()
+    qtbot.addWidget(stage)
+    stage.resize(*size)
+    stage.show()
+    stage.render(
+        StageState(
+            "Turn to 270°",
+            "Position 16, 16 of 24. X from ODH, as before. Then press Space to accumulate 10 s.",
+            Tone.ACTION,
+            pose=Pose("X_from", 270.0),
+            next_pose=Pose("Y_from", 0.0),
+            next_label="Y from ODH 0°",
+        )
+    )
+    qtbot.wait(20)
+    stage._size_detail()
+    qtbot.wait(20)
+    detail = stage._detail
+    assert detail.height() >= detail.heightForWidth(detail.width())
+    assert stage.rect().contains(detail.geometry())
