@@ -32,6 +32,7 @@ STEPS: tuple[str, ...] = (
     "gui.thermal.demo",
     "gui.drift.demo",
     "gui.frames.demo",
+    "gui.certificate.demo",
 )
 """Modules with ``play(stage) -> Told``, in the order of playing."""
 

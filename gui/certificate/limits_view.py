@@ -52,11 +52,12 @@ class LimitsForm(QWidget):
         header.setStretchLastSection(True)
         self.table.itemChanged.connect(self._on_item)
         self.parts = QListWidget()
+        self.parts.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.parts.itemChanged.connect(self._on_part)
         unit = self.fontMetrics().height()
         self.table.setMinimumHeight(10 * unit)
-        for place, width in enumerate((7, 5, 5, 6)):
-            self.table.setColumnWidth(place, width * unit)
+        for place, width in enumerate((6, 4, 4, 5)):
+            self.table.setColumnWidth(place, width * unit + unit // 2)
         self.parts.setMinimumHeight(8 * unit)
         row = QHBoxLayout()
         row.addWidget(self._rule_label)
@@ -93,7 +94,7 @@ class LimitsForm(QWidget):
         if fresh:
             self.table.setRowCount(len(rows))
         for place, row in enumerate(rows):
-            texts = (row.symbol, shown_number(row.found), row.unit, row.nominal, row.limit)
+            texts = (row.symbol, row.nominal, row.limit, row.unit, shown_number(row.found))
             for column, text in enumerate(texts):
                 item = self.table.item(place, column)
                 if item is None:
