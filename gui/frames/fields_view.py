@@ -52,7 +52,7 @@ class FieldsView(QWidget):
         self.table.verticalHeader().setDefaultSectionSize(round(1.5 * unit))
         header = self.table.horizontalHeader()
         header.setHighlightSections(False)
-        for column, width in enumerate((5.5, 4.7, 5.5, 8.5, 5.5)):
+        for column, width in enumerate((5.5, 4.7, 5.5, 9.5, 5)):
             self.table.setColumnWidth(column, round(width * unit))
         header.setSectionResizeMode(_COURSE, QHeaderView.ResizeMode.Interactive)
         header.setStretchLastSection(True)

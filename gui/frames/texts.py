@@ -51,14 +51,9 @@ def share(value: float) -> str:
 
 def reading_of(one: LengthReading) -> Reading:
     """One meaning of a length byte."""
-    what = (
-        "is the whole length"
-        if one.meaning == "total"
-        else f"counts the payload, {one.add} bytes less than the whole"
-    )
+    what = "the whole length" if one.meaning == "total" else f"the payload, {one.add} bytes less"
     text = (
-        f"Byte {one.at} = {one.value} {what}: frames of {one.length} bytes,"
-        f" {share(one.share)} of the headers fit"
+        f"Byte {one.at} = {one.value}, {what}: frames of {one.length} bytes, {share(one.share)} fit"
     )
     return Reading(text, one.length, one.share > _FITS)
 
