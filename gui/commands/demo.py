@@ -19,6 +19,7 @@ _PARTS = {
     "allan": "gui.allan.demo",
     "thermal": "gui.thermal.demo",
     "drift": "gui.drift.demo",
+    "frames": "gui.frames.demo",
     "certificate": "gui.certificate.demo",
 }
 
