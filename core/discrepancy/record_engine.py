@@ -99,9 +99,10 @@ def search_record(samples: Samples, settings: Settings) -> Found:
     )
     if paths is not None:
         problem = record_problem(samples, paths)
+        _, best = max(begun, key=lambda one: _worth(*one))
         begun += [
             _settled(problem, settings, floor)
-            for floor in (usual_floor(problem), *(record_floor(problem, s.slots) for _, s in begun))
+            for floor in (usual_floor(problem), record_floor(problem, best.slots))
         ]
     engine, _ = max(begun, key=lambda one: _worth(*one))
     engine = calibrated(engine)
