@@ -1,7 +1,8 @@
-"""One reader searched by coverage: ``python -m tests.reliability.coverage_guided NAME SECONDS``.
+"""Readers searched by coverage: ``python -m tests.reliability.coverage_guided NAME SECONDS``.
 
-Needs atheris, which has wheels for Linux alone and is therefore installed by hand:
-``pip install atheris``. What it finds, it prints as the edits that show it, and exits with 1.
+NAME is how the names of the readers begin that are searched together. Needs atheris, which has
+wheels for Linux alone and is therefore installed by hand: ``pip install atheris``. A reader that
+breaks the rule ends the search with its traceback, and the exit code is not zero.
 """
 
 import sys
@@ -17,14 +18,14 @@ with atheris.instrument_imports(include=["core", "drivers", "gui.settings"]):
 
 def main(name: str, seconds: float) -> None:
     """Search until the time is over; libFuzzer ends the process."""
-    reader = READERS[name]
-    good = reader.seeds()
+    chosen = [reader for known, reader in READERS.items() if known.startswith(name)]
+    good = [(reader, seed) for reader in chosen for seed in reader.seeds()]
     folder = Path(tempfile.mkdtemp())
 
     def one(data: bytes) -> None:
         if not data:
             return
-        seed = good[data[0] % len(good)]
+        reader, seed = good[data[0] % len(good)]
         # The first byte also chooses between edits of a good file and bytes alone.
         content = data[1:] if data[0] >= 0xF0 else edited(seed.content, of_bytes(data[1:21]))
         attempt(reader, seed, reader.repair(content), folder)
