@@ -51,12 +51,13 @@ class LimitsForm(QWidget):
         header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
         header.setStretchLastSection(True)
         self.table.itemChanged.connect(self._on_item)
+        self.table.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.parts = QListWidget()
         self.parts.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.parts.itemChanged.connect(self._on_part)
         unit = self.fontMetrics().height()
         self.table.setMinimumHeight(10 * unit)
-        for place, width in enumerate((6, 4, 4, 5)):
+        for place, width in enumerate((6, 5, 5, 4)):
             self.table.setColumnWidth(place, width * unit + unit // 2)
         self.parts.setMinimumHeight(8 * unit)
         row = QHBoxLayout()

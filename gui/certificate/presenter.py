@@ -315,7 +315,8 @@ class CertificatePresenter(QObject):
             self._services.messages.show(SOURCE, banner)
         else:
             what = say("No. {number} is issued").format(number=number)
-            self._show(Severity.INFO, what, str(done.files[0]))
+            where = say("{name}, with HTML and JSON, in the folder certificates of the sessions.")
+            self._show(Severity.INFO, what, where.format(name=done.files[0].name))
         self._on_opened(Opened(done.certificate, done.path))
         self.shown()
 
