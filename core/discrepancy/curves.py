@@ -17,6 +17,9 @@ _WAVES = 8
 _GROUPS = ("mount", "run")
 _NAMED = (*_GROUPS, "direction")
 _LOCAL_DEG, _LOCAL = 20.0, 0.12
+_DUST, _DUST_OF_MOST = 1e-3, 1e-5
+_SHARES = (0.05, 0.15, 0.5)
+"""Time constants of what dies away, in parts of the longest time since a mounting."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -93,6 +96,8 @@ def _circumstances(problem: Problem) -> list[_Described]:
     order = np.arange(n, dtype=np.float64)
     name, unit, t = ("t_s", "s", run.t_s) if timed else ("order", "", order)
     found.append((name, unit, t, waves(times(problem))))
+    since = _since_mounting(problem)
+    found.append(("since_mounting", unit, since, _decays(since)))
     temperature = stimulus.columns.get("temperature_c", np.full(n, np.nan))
     if np.all(np.isfinite(temperature)):
         found.append(("temperature_c", "degC", temperature, powers(temperature, 4)))
@@ -122,9 +127,8 @@ class Curve:
     def of(cls, regressor: Regressor, space: Space) -> "Curve":
         """Project the curves of a regressor."""
         rest = space.rest(regressor.basis)
-        left, sizes, _ = np.linalg.svd(rest, full_matrices=False)
-        keep = sizes > 1e-3
-        return cls(regressor, left[:, keep], sizes[keep])
+        sizes, turn = _principal(rest.T @ rest)
+        return cls(regressor, rest @ turn / sizes, sizes)
 
     def evidence(self, residual: FloatArray, space: Space) -> FloatArray:
         """Evidence of structure in residuals (n,) or (n, k)."""
@@ -132,6 +136,17 @@ class Curve:
         if not len(self.sizes):
             return np.zeros(residual.shape[1:])
         return curve_evidence(self.left.T @ residual, self.sizes, rss, space.prior, space.dof)
+
+    def beside(self, residual: FloatArray, added: FloatArray, space: Space) -> float:
+        """Evidence of structure in a residual (n,), given `added` (n, s), orthonormal."""
+        shadow = added.T @ self.left
+        inner = (np.eye(len(self.sizes)) - shadow.T @ shadow) * np.outer(self.sizes, self.sizes)
+        sizes, turn = _principal(inner)
+        if not len(sizes):
+            return 0.0
+        along = turn.T @ (self.sizes * (self.left.T @ residual)) / sizes
+        rss = float(residual @ residual)
+        return float(curve_evidence(along, sizes, rss, space.prior, space.dof))
 
     def shrunk(self, residual: FloatArray, amplitude: float) -> FloatArray:
         """Whitened curve (n,) that a prior of that amplitude makes of a residual."""
@@ -148,6 +163,28 @@ class Curve:
             if value > best:
                 best, found = value, float(amplitude)
         return found
+
+
+def _principal(inner: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Sizes (r,) and directions (q, r) of what columns with these products can excite."""
+    values, vectors = np.linalg.eigh(inner)
+    keep = values > max(_DUST**2, _DUST_OF_MOST**2 * float(values.max(initial=0.0)))
+    return np.sqrt(values[keep]), vectors[:, keep]
+
+
+def _since_mounting(problem: Problem) -> FloatArray:
+    """(n,) time since the unit was bolted as it stands, or since the run began on a table."""
+    t = times(problem)
+    group = "run" if problem.run.test == "rate_table" else "mount"
+    new = np.diff(problem.stimulus.column(group), prepend=np.nan) != 0.0
+    return t - np.maximum.accumulate(np.where(new, t, t[0]))
+
+
+def _decays(since: FloatArray) -> FloatArray:
+    """What dies away after a change (n, q); none where nothing ever changed."""
+    if np.sum(since == 0.0) < 2:
+        return np.zeros((len(since), 0))
+    return np.exp(-since[:, None] / (np.array(_SHARES) * max(float(since.max()), 1e-9)))
 
 
 def _harmonics(head_deg: FloatArray) -> FloatArray:

@@ -9,10 +9,10 @@ from core.discrepancy.components import cells
 from core.discrepancy.engine import Engine
 from core.discrepancy.result import Gap
 from core.discrepancy.slots import State
-from core.discrepancy.space import orthonormal
 from core.fit.quantiles import f_sf
 
 _FOLDS = 5
+_DUST = 1e-9
 
 
 def gap_of(engine: Engine, state: State) -> Gap:
@@ -70,14 +70,18 @@ def _lack_of_fit(engine: Engine, state: State) -> float:
     cell = cells(problem)
     groups = np.equal.outer(cell, np.unique(cell)).astype(np.float64)
     between = space.rest(groups)
-    between = orthonormal(between - state.added @ (state.added.T @ between))
-    pure_dof = space.dof - state.added.shape[1] - between.shape[1]
-    if pure_dof < 2 or not between.shape[1]:
+    shadow = state.added.T @ between
+    values, turn = np.linalg.eigh(between.T @ between - shadow.T @ shadow)
+    keep = values > _DUST * float(values.max(initial=0.0))
+    lack_dof = int(keep.sum())
+    pure_dof = space.dof - state.added.shape[1] - lack_dof
+    if pure_dof < 2 or not lack_dof:
         return math.nan
-    lack = float(np.sum((between.T @ state.residual) ** 2))
+    along = turn[:, keep].T @ (between.T @ state.residual)
+    lack = float(np.sum(along**2 / values[keep]))
     level = (state.rss - lack + space.prior) / (pure_dof + space.prior)
-    ratio = lack / between.shape[1] / level
-    return f_sf(ratio, between.shape[1], pure_dof + space.prior)
+    ratio = lack / lack_dof / level
+    return f_sf(ratio, lack_dof, pure_dof + space.prior)
 
 
 def predicted(engine: Engine, state: State) -> FloatArray:

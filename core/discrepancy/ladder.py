@@ -74,7 +74,8 @@ class Ladder:
     def found(self) -> "Ladder":
         """With all steps that the search finds on top of those that are there."""
         state, unknown = self.engine.found(self.slots)
-        if not state.slots and unknown is None and is_excess(gap_of(self.engine, state)):
+        noise = self.engine.floor.result(self.engine.problem.run.unit)
+        if not state.slots and unknown is None and is_excess(gap_of(self.engine, state), noise):
             # That something is missing is certain; its likeliest name is a guess, and told as such.
             state = self.engine.search.guess(state)
         return replace(self, slots=state.slots, by_hand=len(self.slots), unknown=unknown)

@@ -26,6 +26,7 @@ class Relabels:
     exchange : the effect whose pairs of rows are tried; None where there is none
     pairs : (k, 2) the pairs
     identity : (n, n) whitened rows without the plain model
+    inner : (n, n) products of its columns
     """
 
     problem: Problem
@@ -36,6 +37,7 @@ class Relabels:
     exchange: Effect | None
     pairs: IntArray
     identity: FloatArray
+    inner: FloatArray
 
     @classmethod
     def of(cls, problem: Problem, space: Space) -> "Relabels":
@@ -50,6 +52,7 @@ class Relabels:
         n = len(problem.y)
         exchange = next((e for e in problem.effects if e.kind is Kind.EXCHANGE), None)
         none = np.zeros((0, 2), dtype=np.int64)
+        identity = space.rest(np.eye(n))
         return cls(
             problem=problem,
             space=space,
@@ -58,7 +61,8 @@ class Relabels:
             changes=np.column_stack(changes) if changes else np.zeros((n, 0)),
             exchange=exchange,
             pairs=none if exchange is None else exchange.exchanges(problem.stimulus),
-            identity=space.rest(np.eye(n)),
+            identity=identity,
+            inner=identity.T @ identity,
         )
 
     def scores(self, state: State) -> dict[str, tuple[float, Slot]]:
@@ -89,9 +93,9 @@ class Relabels:
     def _exchanged(self, state: State) -> FloatArray:
         """Sum of squares after the exchange of each pair of rows."""
         n, c = self.problem.rows, self.problem.channels
-        rows = self.identity - state.added @ (state.added.T @ self.identity)
-        pull = rows.T @ state.residual
-        inner = rows.T @ rows
+        shadow = state.added.T @ self.identity
+        pull = self.identity.T @ state.residual
+        inner = self.inner - shadow.T @ shadow
         change = sum((slot.change for slot in state.slots), np.zeros(n * c))
         y = self.problem.y + change
         i, j = self.pairs.T

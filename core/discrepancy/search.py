@@ -1,7 +1,7 @@
 """Names compete: gross faults first, a beam of sets, exchange of names, elimination."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -111,15 +111,7 @@ class Search:
     def unknown(self, state: State) -> Scored:
         """Unknown structure as the next step of a state."""
         space = self.bank.space
-        values: list[float] = []
-        for curve in self.curves:
-            left = curve.left - state.added @ (state.added.T @ curve.left)
-            part = replace(curve, left=left) if state.added.shape[1] else curve
-            if state.added.shape[1]:
-                turned, sizes, _ = np.linalg.svd(left * curve.sizes, full_matrices=False)
-                keep = sizes > 1e-3
-                part = replace(curve, left=turned[:, keep], sizes=sizes[keep])
-            values.append(float(part.evidence(state.residual, space)))
+        values = [curve.beside(state.residual, state.added, space) for curve in self.curves]
         if not values:
             return Scored(0.0, 0.0, None)
         usable = np.array([curve.regressor.competes for curve in self.curves])

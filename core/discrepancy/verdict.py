@@ -7,6 +7,7 @@ from typing import cast
 from core.discrepancy.engine import Engine
 from core.discrepancy.result import UNKNOWN, Gap, NoiseFloor, Smallest, Step, Where
 from core.errors import Note, Severity
+from core.fit.quantiles import f_sf
 
 _LARGE = 2.0
 _FAULTS = frozenset(
@@ -20,6 +21,7 @@ _FAULTS = frozenset(
     )
 )
 _EXCESS_P = 1e-3
+_MANY, _LARGE_FOUND, _MUCH = 30, 1.35, 1e6
 _LEFT_OVER = 0.02
 FEWEST = 3
 """Degrees of freedom below which nothing is said."""
@@ -122,7 +124,7 @@ def doubted(
         return steps
     last = steps[-1]
     guessed = not last.added_by_hand and last.p_value > 2.0 * alpha
-    if rest > _LEFT_OVER and not _large(noise.ratios) and not guessed:
+    if rest > _LEFT_OVER and not _excess(noise, last.after) and not guessed:
         return steps
     if UNKNOWN in (last.effect, *last.indistinguishable_from):
         return steps
@@ -131,12 +133,21 @@ def doubted(
 
 
 def _excess(noise: NoiseFloor, after: Gap) -> bool:
-    return bool(_large(noise.ratios)) or is_excess(after)
+    return bool(_large(noise.ratios)) or is_excess(after, noise)
 
 
-def is_excess(gap: Gap) -> bool:
-    """Whether so large a gap cannot be an unlucky statement of the noise."""
-    return gap.p_value < _EXCESS_P and gap.gap > _LARGE
+def is_excess(gap: Gap, noise: NoiseFloor) -> bool:
+    """Whether so large a gap cannot be an unlucky statement of the noise.
+
+    Where the sizes of the noise were found from many contrasts, they cannot be far off.
+    """
+    if gap.dof < 1:
+        return False
+    found = noise.source != "residual" and noise.dof >= _MANY
+    beyond = f_sf(gap.chi2_red, gap.dof, _MUCH) < _EXCESS_P / 10.0
+    return (gap.p_value < _EXCESS_P and gap.gap > _LARGE) or (
+        found and beyond and gap.gap > _LARGE_FOUND
+    )
 
 
 def _large(ratios: Mapping[str, float]) -> list[tuple[str, float]]:
