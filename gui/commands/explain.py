@@ -1,4 +1,7 @@
-"""Say what the model of FILE (a session's folder, a run file, a legacy text file) lacks.
+"""Say what the model of FILE lacks.
+
+FILE is a session's folder, a run file, a legacy text file, or a long record: a recording, a file
+of CVGCom, a run file of a record.
 
 The plain model of the test is compared with the rows; effects of the catalogue that explain what is
 left are named one by one, with what cannot be told from them and what to measure next.
@@ -12,7 +15,13 @@ from core.discrepancy.ladder import explain
 from core.discrepancy.result import Explanation, Fitted, Step
 from core.discrepancy.settings import Settings
 from core.discrepancy.to_json import explanation_to_json
+from core.errors import FormatError
+from core.records.cvgcom import is_cvgcom
 from core.records.open import read_any
+from core.records.series_run import sampled_run, with_first
+from core.samples.run import Run
+from drivers.records import is_recording
+from drivers.series import read_series
 from gui.commands.answer import Answer
 from gui.commands.conditions import add_conditions, conditions_of
 from gui.commands.fitted import note_lines
@@ -36,17 +45,50 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="A",
         help="probability that clean data give a name (0.01)",
     )
+    parser.add_argument(
+        "--report", type=Path, metavar="OUT", help="the whole story as OUT.html or OUT.pdf"
+    )
+    parser.add_argument(
+        "--channel", default="", help="output of a record (its first): name, role or number"
+    )
     add_conditions(parser)
 
 
 def run(args: argparse.Namespace) -> Answer:
     """Compare, name, and say what to do next."""
-    measured = read_any(args.file, sensor=args.sensor, mounts=args.mount)
+    measured = _read(args)
     conditions, _ = conditions_of(args, measured.conditions)
     settings = Settings(alpha=args.alpha, max_effects=args.max_effects)
-    story = explain(replace(measured, conditions=conditions), settings)
-    text = "\n".join([f"{args.file}: {story.verdict}", *_lines(story)])
+    measured = replace(measured, conditions=conditions)
+    story = explain(measured, settings)
+    lines = [f"{args.file}: {story.verdict}", *_lines(story)]
+    if args.report is not None:
+        _write_report(measured, story, args.file, args.report)
+        lines.append(f"  report in {args.report}")
+    text = "\n".join(lines)
     return Answer(explanation_to_json(story), text)
+
+
+def _write_report(measured: Run, story: Explanation, source: Path, path: Path) -> None:
+    """Write the story for paper or a browser; only this needs Qt."""
+    if path.suffix.lower() not in (".html", ".pdf"):
+        raise FormatError(path, "a report ends in .html or .pdf")
+    from gui.discrepancy.paper_view import an_application
+    from gui.discrepancy.report import write_report
+    from gui.discrepancy.working import Story
+
+    application = an_application()
+    write_report(Story(measured, (source,), None, story), path)
+    application.processEvents()
+
+
+def _read(args: argparse.Namespace) -> Run:
+    """The rows of a test, or the samples of a record with the output first that is asked for."""
+    path: Path = args.file
+    if path.is_file() and (is_recording(path) or is_cvgcom(path)):
+        return sampled_run(read_series(path), args.channel, args.sensor or "")
+    measured = read_any(path, sensor=args.sensor, mounts=args.mount)
+    return with_first(measured, args.channel) if args.channel else measured
 
 
 def _lines(story: Explanation) -> list[str]:

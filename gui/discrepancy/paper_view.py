@@ -1,21 +1,40 @@
 """Ladder and plots as pictures on paper, white whatever the screen wears."""
 
 import base64
+import os
+import sys
 from collections.abc import Callable
 from html import escape
 
 from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QFont, QImage, QImageWriter, QPainter
+from PySide6.QtWidgets import QApplication
 
 from gui.discrepancy.cause_view import paint_cause
 from gui.discrepancy.ladder_view import GapBar, largest_of
 from gui.discrepancy.plots_view import RowsPlot
 from gui.discrepancy.state import PictureState, RungState
-from gui.widgets.theme import FAMILY, current_theme, paper_look
+from gui.widgets.theme import FAMILY, current_theme, load_fonts, paper_look
 
 _SHARP = 3
 """Dots of a picture to one of the screen: 288 dpi on paper."""
 _LINE = 15.0
+
+
+def an_application() -> QApplication:
+    """The application that pictures need: that of the window, or one without a screen.
+
+    It must be kept as long as anything is drawn.
+    """
+    there = QApplication.instance()
+    if isinstance(there, QApplication):
+        return there
+    screens = (os.environ.get("DISPLAY"), os.environ.get("WAYLAND_DISPLAY"))
+    if sys.platform.startswith("linux") and not any(screens):
+        os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+    made = QApplication(["calrig"])
+    load_fonts()
+    return made
 
 
 def ladder_picture(rungs: tuple[RungState, ...]) -> str:

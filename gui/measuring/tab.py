@@ -29,6 +29,10 @@ from gui.services import Services
 OWN_PLANS = "plans"
 """Folder of the user's own plans, under that of all sessions."""
 
+MODEL_VS_DATA = "Model vs data"
+"""The tab that tells what a model lacks, and the tests whose models it knows."""
+EXPLAINED = frozenset(("dividing_head", "rate_table", "static_positions"))
+
 _TABS: "WeakSet[MeasuringTab[Any]]" = WeakSet()
 """All measuring tabs that there are."""
 
@@ -84,6 +88,8 @@ class MeasuringTab(Generic[S], QObject):
         self.view.file_chosen.connect(self._on_file)
         results.changed.connect(self._on_results)
         self.view.results.closed.connect(results.clear)
+        self.view.results.explain_requested.connect(self._on_explain)
+        self.view.results.explain.setVisible(bool(EXPLAINED.intersection(guide.tests)))
         self.view.results.certificate_requested.connect(self._on_certificate)
         self.view.results.set_formats(self.exporting.formats)
         self.view.results.format_chosen.connect(self._on_format)
@@ -198,6 +204,12 @@ class MeasuringTab(Generic[S], QObject):
 
     def _on_file(self, name: str) -> None:
         self.load(Path(name))
+
+    def _on_explain(self) -> None:
+        session = self.sitting.keeper.session
+        path = self.results.source_path or (None if session is None else session.folder)
+        if path is not None:
+            self._services.open_file(MODEL_VS_DATA, path)
 
     def _on_certificate(self) -> None:
         measured = self.results.measured
