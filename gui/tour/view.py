@@ -44,6 +44,7 @@ class Callout(QWidget):
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         unit = self.fontMetrics().height()
+        self._step: tuple[str, str, int, int] | None = None
         self._title, self._text, self._count = QLabel(), QLabel(), QLabel()
         font = self._title.font()
         font.setBold(True)
@@ -80,6 +81,7 @@ class Callout(QWidget):
         ----------
         number, count : which step, from 1, of how many
         """
+        self._step = (title, text, number, count)
         title, text = shown(title), shown(text)
         self._title.setText(title)
         self._text.setText(text)
@@ -128,6 +130,10 @@ class Callout(QWidget):
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange:
             self.update()
+        elif event.type() == QEvent.Type.LanguageChange and self._step is not None:
+            visible = self.isVisible()
+            self.show_step(*self._step)
+            self.setVisible(visible)
 
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002
         theme = current_theme()
