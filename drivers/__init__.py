@@ -14,7 +14,7 @@ transport, ports, scan, commands
     pyserial, and who is at the other end.
 reader, linkrate, pauses
     The one thread of a port, the rate of its samples, and whether it was asleep.
-framing, rawlog, recorder, recording, records
+framing, rawlog, recorder, recording, spells, records
     Files of checked blocks; in them the bytes of a link and, in a record, its samples.
 teach
     What an unknown board sends, found out from its bytes.

@@ -6,7 +6,7 @@ samples is decoded again by the profile in its header.
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import cast
 
@@ -17,11 +17,11 @@ from core.arrays import FloatArray, IntArray, frozen, frozen_int
 from core.errors import FormatError, Note, Severity
 from core.samples.block import Channel, SampleBlock
 from drivers.decoders import make_decoder
-from drivers.events import Event
 from drivers.framing import Block, Damage, read_blocks
 from drivers.profile import parse_profile
 from drivers.rawlog import EVENT, Chunk, Mark, event_of, rawlog_header, read_rawlog
 from drivers.recorder import DOUBLE, HEAD, SAMPLES, SINGLE
+from drivers.spells import Spell, numbered, rate_of
 
 SUFFIX = ".calrec"
 _BLOCK_HEAD = 12
@@ -336,21 +336,21 @@ def _decoded(
     if not isinstance(text, str) or not text:
         raise FormatError(path, "holds no samples, and no profile that its bytes could be read by")
     decoder = make_decoder(parse_profile(text, f"{path}: profile"))
-    sessions = [_Session()]
+    spells = [Spell()]
     for part in read_rawlog(path):
         if isinstance(part, Chunk):
-            sessions[-1].take(decoder.feed(part.data), part.t)
-        elif isinstance(part, Mark) and part.kind in _INTERRUPTIONS and sessions[-1].blocks:
-            sessions[-1].take(decoder.flush(), sessions[-1].last_t)
-            sessions.append(_Session())
-    sessions[-1].take(decoder.flush(), sessions[-1].last_t)
-    sessions = [session for session in sessions if session.blocks]
-    if not sessions:
+            spells[-1].take(decoder.feed(part.data), part.t)
+        elif isinstance(part, Mark) and part.kind in _INTERRUPTIONS and spells[-1].blocks:
+            spells[-1].take(decoder.flush(), spells[-1].last_t)
+            spells.append(Spell())
+    spells[-1].take(decoder.flush(), spells[-1].last_t)
+    spells = [spell for spell in spells if spell.blocks]
+    if not spells:
         raise FormatError(path, "its bytes hold no samples")
-    rate = decoder.rate or _rate_of(sessions)
-    if len(sessions) > 1 and not rate > 0.0:
+    rate = decoder.rate or rate_of(spells)
+    if len(spells) > 1 and not rate > 0.0:
         raise FormatError(path, "was interrupted, and too little came to tell how long by")
-    blocks = _numbered(sessions, rate)
+    blocks = numbered(spells, rate)
     channels = blocks[-1].channels
     blocks = [block for block in blocks if block.channels == channels]
     stretches: list[Stretch] = []
@@ -359,49 +359,3 @@ def _decoded(
         for start, stop in zip([0, *breaks], [*breaks, len(block.index)], strict=True):
             stretches.append(Stretch(int(block.index[start]), block.data[start:stop]))
     return channels, rate, tuple(stretches)
-
-
-class _Session:
-    """What came between two interruptions, with the clock at its ends."""
-
-    def __init__(self) -> None:
-        self.blocks: list[SampleBlock] = []
-        self.first_t = self.last_t = 0.0
-        self.first_end = 0
-        """Number of the newest sample that the first read with samples gave."""
-
-    def take(self, events: list[Event], t: float) -> None:
-        """Take what the bytes of a read gave."""
-        found = [event for event in events if isinstance(event, SampleBlock)]
-        if not found:
-            return
-        if not self.blocks:
-            self.first_t, self.first_end = t, int(found[-1].index[-1])
-        self.blocks += found
-        self.last_t = t
-
-    @property
-    def last(self) -> int:
-        """Number of the last sample."""
-        return int(self.blocks[-1].index[-1])
-
-
-def _rate_of(sessions: list[_Session]) -> float:
-    """Samples per second by the clock, the interruptions left out; NaN where it cannot be told."""
-    steps = sum(session.last - session.first_end for session in sessions)
-    span = sum(session.last_t - session.first_t for session in sessions)
-    return steps / span if span > 0.0 else math.nan
-
-
-def _numbered(sessions: list[_Session], rate: float) -> list[SampleBlock]:
-    """Number samples on over interruptions, which leave gaps as long as they were by the clock."""
-    blocks: list[SampleBlock] = []
-    shift = 0
-    for before, session in zip([None, *sessions], sessions, strict=False):
-        if before is not None:
-            steps = round((session.first_t - before.last_t) * rate)
-            shift += max(0, before.last + steps - session.first_end)
-        blocks += [
-            replace(block, index=frozen_int(block.index + shift)) for block in session.blocks
-        ]
-    return blocks
