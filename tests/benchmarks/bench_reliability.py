@@ -29,8 +29,10 @@ from tests.reliability.readers import READERS, try_out  # noqa: E402
 
 PAGE = ROOT / "docs" / "reliability.md"
 BEGIN, END = "<!-- {} begins -->", "<!-- {} ends -->"
-_SHORT, _LONG_S, _GUIDED_S = 2, 2.0, 4
+_SHORT, _LONG_S, _GUIDED_S = 2, 2.0, 5
 _WIDEST = 150
+_HEAD_LINES = 5
+"""Lines of a table before its first row: an empty one, when, an empty one, two of titles."""
 _FRAMES = "frames of"
 """How the names of the decoders begin; they are searched by coverage all together."""
 
@@ -86,7 +88,7 @@ def by_chance(name: str, seconds: float) -> Row:
             return Row(name, trials + 1, 1, broken)
         trials += len(said)
         refused += sum(map(bool, said))
-    return Row(name, trials, 0, f"by chance; {refused} refused in words, the rest read")
+    return Row(name, trials, 0, f"{refused} refused in words, the others read")
 
 
 def by_coverage(name: str, seconds: int) -> Row:
@@ -97,10 +99,17 @@ def by_coverage(name: str, seconds: int) -> Row:
     count = [line.rpartition(" ")[2] for line in lines if "number_of_executed_units" in line]
     reached = [part for line in lines if " DONE " in line for part in line.split()]
     places = reached[reached.index("cov:") + 1] if "cov:" in reached else "?"
-    if done.returncode:
+    if done.returncode or not count:
         errors = [line for line in done.stdout.splitlines() + lines if "Error" in line]
-        return Row(name, int(count[0]) if count else 0, 1, errors[0] if errors else "ended")
-    return Row(name, int(count[0]), 0, f"guided by coverage; {places} branches reached")
+        return Row(
+            f"{name}, by coverage",
+            int(count[0]) if count else 0,
+            1,
+            errors[0] if errors else "ended",
+        )
+    return Row(
+        f"{name}, by coverage", int(count[0]), 0, f"{places} branches of the sources reached"
+    )
 
 
 def readers(names: Sequence[str], long: bool) -> Iterator[Row]:
@@ -111,19 +120,22 @@ def readers(names: Sequence[str], long: bool) -> Iterator[Row]:
         if long and guided and not name.startswith(_FRAMES):
             yield by_coverage(name, _GUIDED_S)
     if long and guided and any(name.startswith(_FRAMES) for name in names):
-        yield by_coverage(_FRAMES, 5 * _GUIDED_S)
+        yield by_coverage(_FRAMES, 3 * _GUIDED_S)
 
 
-def tabled(word: str, head: str, rows: Sequence[Row]) -> None:
-    """Put a table between its marks on the page."""
+def kept(word: str, head: str, row: Row) -> None:
+    """Put a row into its table on the page, in the place of the one that stood there before."""
     text = PAGE.read_text("utf-8")
     before, begin, rest = text.partition(BEGIN.format(word))
-    _, end, after = rest.partition(END.format(word))
+    table, end, after = rest.partition(END.format(word))
     when = datetime.now(UTC).date().isoformat()
     system = f"{platform.system()}, Python {platform.python_version()}"
-    table = "\n".join([f"{when}, {system}:", "", head, "| --- | --- | --- | --- |"])
-    cells = "\n".join(row.cells() for row in rows)
-    write_text_atomic(PAGE, f"{before}{begin}\n{table}\n{cells}\n{end}{after}")
+    lines = {line.split(" | ")[0]: line for line in table.splitlines()[_HEAD_LINES:]}
+    new = row.cells()
+    lines[new.split(" | ")[0]] = new
+    heads = ("", f"{when}, {system}:", "", head, "| --- | --- | --- | --- |")
+    whole = "\n".join([*heads, *lines.values(), ""])
+    write_text_atomic(PAGE, f"{before}{begin}{whole}{end}{after}")
 
 
 def main() -> None:
@@ -135,7 +147,6 @@ def main() -> None:
     if sys.platform == "win32":
         print("the fault table needs Linux or macOS: it kills, stops and limits processes")
         return
-    tables: dict[str, tuple[str, list[Row]]] = {}
     for word, head, unit, rows in (
         ("faults", "| fault | trials | lost | message |", "trials", faults),
         ("readers", "| reader | files | broken rules | how |", "files", readers),
@@ -144,13 +155,10 @@ def main() -> None:
             continue
         known = FAULTS if word == "faults" else READERS
         names = [name for name in known if wanted.only in name]
-        tables[word] = (head, [])
         for row in rows(names, wanted.long):
             print(row.line(unit), flush=True)
-            tables[word][1].append(row)
-    if wanted.long and not wanted.only:
-        for word, (head, found) in tables.items():
-            tabled(word, head, found)
+            if wanted.long:
+                kept(word, head, row)
 
 
 if __name__ == "__main__":
