@@ -130,10 +130,10 @@ class Callout(QWidget):
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange:
             self.update()
-        elif event.type() == QEvent.Type.LanguageChange and self._step is not None:
-            visible = self.isVisible()
-            self.show_step(*self._step)
-            self.setVisible(visible)
+        elif event.type() == QEvent.Type.LanguageChange:
+            self._retranslate()
+            if self._step is not None and not self.isHidden():
+                self.show_step(*self._step)
 
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002
         theme = current_theme()

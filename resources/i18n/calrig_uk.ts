@@ -858,6 +858,11 @@
         </message>
         <message>
             <location filename="../../gui/certificate/presenter.py" />
+            <source>{name}, with HTML and JSON, in the folder certificates of the sessions.</source>
+            <translation>{name}, з HTML і JSON, у теці certificates сеансів.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/certificate/presenter.py" />
             <source>The certificate could not be worked on</source>
             <translation>З сертифікатом неможливо працювати</translation>
         </message>
@@ -8017,8 +8022,8 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         </message>
         <message>
             <location filename="../../gui/frames/texts.py" />
-            <source>Byte {at} = {value} {what}: frames of {length} bytes, {share} of the headers fit</source>
-            <translation>Байт {at} = {value} {what}: кадри по {length} байтів, підходить {share} заголовків</translation>
+            <source>Byte {at} = {value}, {what}: frames of {length} bytes, {share} fit</source>
+            <translation>Байт {at} = {value}, {what}: кадри по {length} байтів, підходить {share}</translation>
         </message>
         <message>
             <location filename="../../gui/frames/texts.py" />
@@ -8062,13 +8067,13 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         </message>
         <message>
             <location filename="../../gui/frames/texts.py" />
-            <source>is the whole length</source>
-            <translation>є повною довжиною</translation>
+            <source>the whole length</source>
+            <translation>повна довжина</translation>
         </message>
         <message>
             <location filename="../../gui/frames/texts.py" />
-            <source>counts the payload, {add} bytes less than the whole</source>
-            <translation>рахує корисні дані, на {add} байтів менше за повну</translation>
+            <source>the payload, {add} bytes less</source>
+            <translation>корисні дані, на {add} байтів менше</translation>
         </message>
         <message>
             <location filename="../../gui/frames/texts.py" />
