@@ -44,6 +44,8 @@ TABS: dict[str, str] = {
 }
 """Every tab of the window: its title and the module that makes it."""
 
+_WITHOUT_RIG = ("Thermal", "Drift", "Model vs data", "Archive", "Certificates")
+"""Tabs that work with what was measured: there the dock of the rig gives its room to tables."""
 _WELCOME, _PROPERTIES = "welcome", "properties"
 _CUES = {"start": Cue.START, "done": Cue.DONE, "error": Cue.ERROR}
 
@@ -195,6 +197,7 @@ class Application(QObject):
         connection.changed.connect(self._on_port)
         connection.properties_wanted.connect(window.devices.open)
         window.strip.device_chosen.connect(connection.select)
+        window.tabs.currentChanged.connect(self._on_tab)
         window.stop_requested.connect(self.stopping.stop)
         window.start_requested.connect(self.stopping.start)
         connection.changed.connect(self._on_welcomed)
@@ -300,6 +303,11 @@ class Application(QObject):
             self._rig_panel = RigPanel(self.rig)
             self.rig.follow()
         self.window.show_rig(self._rig_panel)
+
+    def _on_tab(self) -> None:
+        here = self.window.tabs.currentWidget()
+        without = (self.tabs[title].widget for title in _WITHOUT_RIG if title in self.tabs)
+        self.window.make_room(any(here is widget for widget in without))
 
     def _on_welcomed(self) -> None:
         if self.connection.link is not None:

@@ -134,6 +134,7 @@ class MainWindow(QMainWindow):
         self._titles: dict[int, str] = {}
         self._hidden: tuple[QDockWidget, ...] = ()
         self._before_distant = self.windowState()
+        self._roomy = self._rig_was_open = False
         self._build()
         self._build_menu()
         self._connect()
@@ -229,8 +230,20 @@ class MainWindow(QMainWindow):
         if panel is not None and self.rig_dock.widget() is not panel:
             self.rig_dock.setWidget(panel)
             self.resizeDocks([self.rig_dock], [panel.minimumWidth()], Qt.Orientation.Horizontal)
-        self.rig_dock.setVisible(panel is not None)
+        self._rig_was_open = panel is not None
+        self.rig_dock.setVisible(panel is not None and not self._roomy)
         self.rig_dock.toggleViewAction().setVisible(panel is not None)
+
+    def make_room(self, needed: bool) -> None:
+        """Take the rig away where it is of no use, and bring it back as it was elsewhere."""
+        if needed == self._roomy:
+            return
+        self._roomy = needed
+        if needed:
+            self._rig_was_open = self.rig_dock.isVisible()
+            self.rig_dock.hide()
+        elif self._rig_was_open:
+            self.rig_dock.show()
 
     def set_distant(self, distant: bool) -> None:
         """Give the whole screen to what is laid over the window, or take it back."""
@@ -243,7 +256,10 @@ class MainWindow(QMainWindow):
         else:
             self.setWindowState(self._before_distant)
             for dock in self._hidden:
-                dock.show()
+                if dock is self.rig_dock and self._roomy:
+                    self._rig_was_open = True
+                else:
+                    dock.show()
             self._hidden = ()
 
     def paintEvent(self, event: QPaintEvent) -> None:

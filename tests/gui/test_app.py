@@ -149,3 +149,19 @@ def test_closing_ends_everything(open_app: Callable[[], Driver]):
     driver.app.window.close()
     assert driver.app.connection.link is None
     assert driver.tab.sitting.keeper.session is None
+
+
+def test_the_rig_makes_room_where_it_is_of_no_use(open_app: Callable[[], Driver]):
+    driver = open_app()
+    app, tabs = driver.app, driver.app.window.tabs
+    dock = app.window.rig_dock
+    app.open_simulated("pointer")
+    driver.until(lambda: driver.tab.bench.linked)
+    for title in ("Archive", "Thermal", "Live", "Drift", "Dividing head"):
+        tabs.setCurrentWidget(app.tabs[title].widget)
+        assert dock.isVisible() == (title in ("Live", "Dividing head"))
+    # Closed by the operator, it stays closed.
+    dock.close()
+    tabs.setCurrentWidget(app.tabs["Archive"].widget)
+    tabs.setCurrentWidget(app.tabs["Live"].widget)
+    assert not dock.isVisible()
