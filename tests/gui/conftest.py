@@ -41,7 +41,8 @@ def open_app(qtbot: QtBot, tmp_path: Path) -> "Iterator[Callable[[], Driver]]":
         options = Options(root=tmp_path / "data", settings=tmp_path / "set.json", quiet=True)
         app = Application(qt, options)
         qtbot.addWidget(app.window)
-        with qtbot.waitSignal(app.ready):
+        # The first start of a process imports everything, beside other work.
+        with qtbot.waitSignal(app.ready, timeout=30_000):
             app.start()
         app.window.activateWindow()
         qtbot.waitUntil(app.window.isActiveWindow)

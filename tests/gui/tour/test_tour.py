@@ -70,7 +70,7 @@ def test_it_is_offered_at_the_first_start_only(qtbot: QtBot, tmp_path: Path):
         app = Application(qt, Options("", tmp_path / "data", tmp_path / "set.json"))
         app.sounds.set_volume(0.0)
         qtbot.addWidget(app.window)
-        with qtbot.waitSignal(app.ready):
+        with qtbot.waitSignal(app.ready, timeout=30_000):
             app.start()
         banner = app.messages.current
         assert banner is not None
