@@ -96,8 +96,13 @@ class CvgcomWriter:
         flags = os.O_CREAT | os.O_EXCL | os.O_WRONLY | getattr(os, "O_BINARY", 0)
         try:
             self._fd = os.open(path, flags, 0o644)
+        except OSError as error:
+            raise StorageError(f"{path}: cannot be created: {error.strerror}") from error
+        try:
             self._put(head_text(head))
         except OSError as error:
+            os.close(self._fd)
+            path.unlink(missing_ok=True)
             raise StorageError(f"{path}: cannot be created: {error.strerror}") from error
 
     def feed(self, index: IntArray, data: FloatArray) -> None:

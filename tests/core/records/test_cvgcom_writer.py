@@ -1,3 +1,4 @@
+import errno
 import os
 from pathlib import Path
 
@@ -52,3 +53,15 @@ def test_a_full_disk_is_told():
     with pytest.raises(StorageError, match="No space left"):
         writer.feed(np.arange(1), np.zeros((1, 2)))
     os.close(writer._fd)
+
+
+def test_a_file_that_could_not_be_begun_leaves_its_name_free(tmp_path, monkeypatch):
+    def refuse(fd, data):
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    head = CvgcomHead(0.01, 0.024, (channel_of("GyroOut"),))
+    with monkeypatch.context() as patch:
+        patch.setattr(os, "write", refuse)
+        with pytest.raises(StorageError, match="No space left"):
+            CvgcomWriter(tmp_path / "a.txt", head)
+    CvgcomWriter(tmp_path / "a.txt", head).close()
