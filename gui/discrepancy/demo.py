@@ -13,7 +13,7 @@ from gui.measuring.tab import MeasuringTab
 HEAD = "Dividing head"
 EFFECT, ROLE, SIZE = "second_order_nonlinearity", "acc.x", 6.0
 """What is hidden in the simulated unit, and how much of it, mg/g^2."""
-_SPEED = 40
+_SPEED = 30
 _ANGLES = (0.0, 135.0, 45.0, 270.0, 90.0, 225.0, 180.0, 315.0)
 _MOUNTS = ("X_from", "Y_from", "Z_from")
 _EXPORTS = ("html", "pdf", "json", "model")
@@ -68,7 +68,7 @@ def mixed_twice() -> Plan:
         test="dividing_head",
         source="model vs data",
         accumulation_s=2.0,
-        settle_s=1.0,
+        settle_s=3.0,
         temperatures_c=(),
         steps=tuple(
             Position(number, mount.replace("_", " "), mount, angle)
