@@ -254,7 +254,7 @@ def _stale(samples: Samples) -> Iterator[Fact]:
     longest = int(np.argmax(length))
     if len(length) == 1:
         # A coarse thermometer may well stand still; one that shows thousandths may not.
-        fine = warm[rows[0]] * _SIXTEENTH
+        fine = float(warm[rows[0]]) * _SIXTEENTH
         if abs(fine - round(fine)) < 1e-9 or abs(10.0 * fine / _SIXTEENTH % 1.0) < 1e-9:
             return
     elif length[longest] <= 10.0 * _longest_by_chance(length, len(rows)):

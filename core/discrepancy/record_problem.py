@@ -154,7 +154,7 @@ def record_problem(samples: Samples, telegraph: Telegraph | None = None) -> Prob
             return (total / np.where(count > 0, count, np.nan))[kept]
 
     y = mean(samples.y)
-    t = (kept + 0.5) * size / samples.rate
+    t = np.asarray((kept + 0.5) * size / samples.rate, dtype=np.float64)
     columns = {
         name: _regressor(mean(values), t)
         for name, values in {"temperature_c": run.temperature_c, **run.extra}.items()

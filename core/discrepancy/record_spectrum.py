@@ -146,9 +146,9 @@ def lines_of(samples: Samples, chance: float) -> tuple[tuple[Line, ...], Samples
 def _without_slow(values: FloatArray) -> FloatArray:
     from scipy.fft import dct, idct
 
-    waves = cast(FloatArray, dct(values, type=2, norm="ortho"))
+    waves = dct(values, type=2, norm="ortho")
     waves[:_SLOW] = 0.0
-    return cast(FloatArray, idct(waves, type=2, norm="ortho"))
+    return idct(waves, type=2, norm="ortho")
 
 
 def _highest(flat: FloatArray, rate: float) -> tuple[Seen, float, float]:
@@ -191,7 +191,8 @@ def _fitted(flat: FloatArray, rate: float, frequency: float, chance: float) -> L
     def solved(f: float) -> tuple[float, FloatArray]:
         angle = 2.0 * math.pi * f * t
         waves = np.column_stack([np.sin(angle), np.cos(angle)])
-        values = np.linalg.lstsq(waves.T @ waves, waves.T @ flat, rcond=None)[0]
+        solution = np.linalg.lstsq(waves.T @ waves, waves.T @ flat, rcond=None)[0]
+        values = np.asarray(solution, dtype=np.float64)
         return float(values @ (waves.T @ flat)), values
 
     best, (gain, values) = frequency, solved(frequency)

@@ -7,7 +7,7 @@ import pytest
 
 from core.errors import FitError, FormatError
 from core.records.series import Series
-from core.records.series_run import record_run, turn_on_of
+from core.records.series_run import record_run, sampled_run, turn_on_of, with_first
 from core.samples.block import Channel
 
 N = 200
@@ -86,3 +86,25 @@ def test_gaps_are_refused():
     index[50:] += 3
     with pytest.raises(FitError, match="samples were lost"):
         turn_on_of(series((*GYRO, *CHIP), index=index))
+
+
+def test_one_output_comes_with_all_other_channels_and_what_is_lost_stays_lost():
+    one = series((*GYRO, *CHIP, *ACC))
+    one.columns[0][5] = np.nan
+    run = sampled_run(one)
+    assert (run.test, run.sensor, run.channels) == ("record", "gyro", ("gx",))
+    assert set(run.extra) == {"gy", "az"}
+    assert len(run) == N
+    assert np.isnan(run.y[5, 0])
+    assert run.temperature_c[0] == 2000.0
+    assert sampled_run(one, "az").sensor == "accelerometer"
+
+
+def test_an_output_of_a_run_can_be_brought_to_the_front():
+    run = record_run(series((*GYRO, *CHIP)))
+    for name in ("gy", "y", "2"):
+        first = with_first(run, name)
+        assert first.channels == ("gy", "gx")
+        assert np.array_equal(first.y[:, 0], run.y[:, 1])
+    with pytest.raises(FitError, match="there is no output"):
+        with_first(run, "q")
