@@ -189,7 +189,15 @@ class _View(QTableView):
         table = self._model.table
         chosen = sorted(index.row() for index in self.selectionModel().selectedRows())
         rows = tuple(table.rows[row] for row in chosen) if chosen else table.rows
-        part = TableState(table.title, table.equation, table.header, rows, table.words)
+        part = TableState(
+            shown(table.title),
+            shown(table.equation),
+            tuple(shown(name) for name in table.header),
+            tuple(
+                (*(shown(text) for text in row[: table.words]), *row[table.words :]) for row in rows
+            ),
+            table.words,
+        )
         text = table_text(part, separator=separator, decimal=decimal)
         QGuiApplication.clipboard().setText(text)
 
@@ -200,7 +208,8 @@ class _View(QTableView):
         super().keyPressEvent(event)
 
     def _on_copy(self) -> None:
-        self.copy("\t", ".")
+        # As a spreadsheet in this language reads numbers.
+        self.copy("\t", self.locale().decimalPoint())
 
     def _on_copy_csv(self) -> None:
         self.copy(",", ".")

@@ -1072,7 +1072,7 @@
         <message>
             <location filename="../../gui/certificate/view.py" />
             <source>Order</source>
-            <translation>Порядок</translation>
+            <translation>Замовлення</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/view.py" />
@@ -1322,7 +1322,7 @@
         <message>
             <location filename="../../gui/gyrocompass/side_view.py" />
             <source>Scale factor</source>
-            <translation>Масштабний коеф.</translation>
+            <translation>Масштаб. коеф.</translation>
         </message>
         <message>
             <location filename="../../gui/gyrocompass/side_view.py" />
@@ -3369,7 +3369,7 @@
         <message>
             <location filename="../../gui/allan/settings_view.py" />
             <source>Scale factor</source>
-            <translation>Масштабний коеф.</translation>
+            <translation>Масштаб. коеф.</translation>
         </message>
         <message>
             <location filename="../../gui/allan/settings_view.py" />
@@ -3449,7 +3449,7 @@
         <message>
             <location filename="../../gui/allan/settings_view.py" />
             <source>found</source>
-            <translation>знайдений</translation>
+            <translation>авто</translation>
         </message>
         <message>
             <location filename="../../gui/allan/settings_view.py" />
@@ -3564,17 +3564,17 @@
         <message>
             <location filename="../../gui/drift/settings_view.py" />
             <source>by the chip</source>
-            <translation>за кристалом</translation>
+            <translation>кристал</translation>
         </message>
         <message>
             <location filename="../../gui/drift/settings_view.py" />
             <source>whole record</source>
-            <translation>увесь запис</translation>
+            <translation>увесь</translation>
         </message>
         <message>
             <location filename="../../gui/drift/settings_view.py" />
             <source>by tp alone</source>
-            <translation>лише за tp</translation>
+            <translation>за tp</translation>
         </message>
         <message>
             <location filename="../../gui/drift/settings_view.py" />
@@ -3584,7 +3584,7 @@
         <message>
             <location filename="../../gui/drift/settings_view.py" />
             <source>likeliest</source>
-            <translation>найімовірніший</translation>
+            <translation>авто</translation>
         </message>
         <message>
             <location filename="../../gui/live/settings_view.py" />
@@ -3714,7 +3714,7 @@
         <message>
             <location filename="../../gui/thermal/settings_view.py" />
             <source>all rates</source>
-            <translation>усі швидкості</translation>
+            <translation>усі</translation>
         </message>
     </context>
     <context>
@@ -6555,7 +6555,7 @@ Simulated cycle (F6) shows the tab on a made-up unit.</source>
         <message>
             <location filename="../../gui/thermal/texts.py" />
             <source>Scale factor</source>
-            <translation>Масштабний коеф.</translation>
+            <translation>Масштаб. коеф.</translation>
         </message>
         <message>
             <location filename="../../gui/thermal/texts.py" />
