@@ -7,7 +7,6 @@ trying any polynomial (the method is that of the CRC RevEng program's manual).
 """
 
 from collections.abc import Sequence
-from functools import reduce
 from itertools import pairwise
 
 _REVERSED = bytes(int(f"{value:08b}"[::-1], 2) for value in range(256))
@@ -62,10 +61,11 @@ def generator(differences: Sequence[int], width: int) -> int | None:
     """
     if len(differences) < 4:
         return None
-    common = polynomial_gcd(differences[0], differences[1])
-    if common.bit_length() <= width:
-        return None
-    common = reduce(polynomial_gcd, differences[2:], common)
+    common = differences[0]
+    for difference in differences[1:]:
+        common = polynomial_gcd(common, difference)
+        if common.bit_length() <= width:
+            return None
     # Trailing zeros are no part of a generator: they mean that the last bits never change.
     if common.bit_length() != width + 1 or not common & 1:
         return None
