@@ -306,7 +306,8 @@ def test(environment: Environment, arguments: list[str]) -> int:
         "ruff format": ["-m", "ruff", "format", "--check", "."],
         "import rules": ["-c", import_rules],
         "pyright": ["-m", "pyright"],
-        "pytest": ["-m", "pytest", *arguments],
+        # Two workers: the tests of the window wait more than they compute.
+        "pytest": ["-m", "pytest", "-n", "2", "--dist", "loadfile", *arguments],
     }
     failed: list[str] = []
     for name, command in checks.items():
