@@ -188,7 +188,7 @@ def test_in_the_chamber_x_lags_and_z_drifts():
     assert "bias_temperature" in found["z"]
     assert "thermal_lag" in found["x"]
     assert "bias_drift" not in found["x"]
-    assert "bias_drift" in found["z"]
+    assert {"bias_drift", "warm_up"} & set(found["z"])  # straight, or slowly settling
     assert "thermal_lag" not in found["z"]
     assert all(UNKNOWN in found[axis] for axis in "xz")  # both jump and wander besides
     (tau,) = (
