@@ -129,7 +129,9 @@ class Application(QObject):
         try:
             rig = rig_of(url)
         except ValueError as error:
-            self.messages.show("rig", BannerState(Severity.ERROR, "No such rig", f"{error}."))
+            remedy = "Start with pointer, clbacc, or a whole sim:// address."
+            banner = BannerState(Severity.ERROR, "No such rig", f"{error}.", remedy)
+            self.messages.show("rig", banner)
             return
         profile = rig.profile
         name = rig.identity.get("serial") or profile.name

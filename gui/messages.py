@@ -4,9 +4,14 @@ from datetime import datetime
 
 from PySide6.QtCore import QObject, Signal
 
-from core.errors import LabError, LinkError, Severity
+from core.errors import FormatError, LabError, LinkError, Severity, StorageError
 from gui.widgets.states import BannerAction, BannerState, LogEntry
 
+_REMEDIES: dict[type[LabError], str] = {
+    FormatError: "Nothing was changed. Choose another file, or correct the place that is named.",
+    StorageError: "Make room there, or choose another folder; then try again.",
+}
+"""What to do about errors that do not tell it themselves."""
 _RANK = {Severity.INFO: 0, Severity.WARNING: 1, Severity.ERROR: 2}
 
 
@@ -55,7 +60,8 @@ class Messages(QObject):
                 tuple(actions),
             )
         else:
-            banner = BannerState(Severity.ERROR, what, f"{error}.", "", tuple(actions))
+            remedy = next((text for kind, text in _REMEDIES.items() if isinstance(error, kind)), "")
+            banner = BannerState(Severity.ERROR, what, f"{error}.", remedy, tuple(actions))
         self.show(source, banner)
 
     def clear(self, source: str) -> None:

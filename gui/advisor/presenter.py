@@ -174,6 +174,9 @@ class AdvisorPresenter(QObject):
                     QCoreApplication.translate(
                         "Advisor", "Its test is {test}, or an accumulation is running."
                     ).format(test=plan.test),
+                    QCoreApplication.translate(
+                        "Advisor", "End the session in its tab by New session, then open it again."
+                    ),
                 ),
             )
 

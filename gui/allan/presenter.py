@@ -249,7 +249,12 @@ class AllanPresenter(QObject):
         if entry is not None:
             self._messages.show(
                 SOURCE,
-                BannerState(Severity.ERROR, f"{entry.path.name} cannot be analysed", entry.error),
+                BannerState(
+                    Severity.ERROR,
+                    f"{entry.path.name} cannot be analysed",
+                    entry.error,
+                    "Set its channel and rate at the left, or remove it from the list.",
+                ),
             )
 
     def _tell(self) -> None:

@@ -67,6 +67,9 @@ class Exporting(QObject):
                     Severity.ERROR,
                     QCoreApplication.translate("Archive", "The file cannot be written"),
                     str(error),
+                    QCoreApplication.translate(
+                        "Archive", "Close it where it is open, or choose another folder."
+                    ),
                 ),
             )
             return

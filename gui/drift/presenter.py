@@ -199,7 +199,11 @@ class DriftPresenter(QObject):
         what = QCoreApplication.translate("Drift", "{name} is no turn-on").format(
             name=_name(refused[0])
         )
-        self._messages.show(SOURCE, BannerState(Severity.ERROR, what, f"{refused[0].error}."))
+        remedy = QCoreApplication.translate(
+            "Drift", "Remove it from the list, or choose another output at the left."
+        )
+        why = f"{refused[0].error}."
+        self._messages.show(SOURCE, BannerState(Severity.ERROR, what, why, remedy))
 
     def _row(self, entry: Entry) -> ListRow:
         if entry.error:

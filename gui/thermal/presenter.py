@@ -182,7 +182,11 @@ class ThermalPresenter(QObject):
         what = QCoreApplication.translate("Thermal", "{name} cannot be used").format(
             name=_name(refused[0])
         )
-        self._messages.show(SOURCE, BannerState(Severity.ERROR, what, f"{refused[0].error}."))
+        remedy = QCoreApplication.translate(
+            "Thermal", "Remove it from the list; the others are used without it."
+        )
+        why = f"{refused[0].error}."
+        self._messages.show(SOURCE, BannerState(Severity.ERROR, what, why, remedy))
 
     def _row(self, entry: Entry) -> ListRow:
         run = entry.run

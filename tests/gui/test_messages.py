@@ -1,6 +1,6 @@
 """One banner at a time, and a log of everything."""
 
-from core.errors import LinkError, Severity, StorageError
+from core.errors import FormatError, LinkError, Severity, StorageError
 from gui.messages import Messages
 from gui.widgets.states import BannerState
 
@@ -60,3 +60,9 @@ def test_the_words_of_errors():
     banner = messages.current
     assert banner is not None
     assert banner.meaning == "/data/x: disk full."
+    assert banner.remedy.startswith("Make room there")
+    messages.tell_error("f", "Not loaded", FormatError("a.txt", "no numbers", line=3))
+    banner = messages.current
+    assert banner is not None
+    assert banner.remedy.startswith("Nothing was changed")
+    messages.clear("f")
