@@ -123,6 +123,14 @@ def readers(names: Sequence[str], long: bool) -> Iterator[Row]:
         yield by_coverage(_FRAMES, 3 * _GUIDED_S)
 
 
+def _names(word: str) -> list[str]:
+    """Names of the rows of a table, in its order; a row of another name is one of old."""
+    if word == "faults":
+        return [fault.title for fault in FAULTS.values()]
+    known = [*READERS, _FRAMES]
+    return [name for reader in known for name in (reader, f"{reader}, by coverage")]
+
+
 def kept(word: str, head: str, row: Row) -> None:
     """Put a row into its table on the page, in the place of the one that stood there before."""
     text = PAGE.read_text("utf-8")
@@ -133,8 +141,10 @@ def kept(word: str, head: str, row: Row) -> None:
     lines = {line.split(" | ")[0]: line for line in table.splitlines()[_HEAD_LINES:]}
     new = row.cells()
     lines[new.split(" | ")[0]] = new
+    order = [f"| {name}" for name in _names(word)]
+    rows = [lines[name] for name in order if name in lines]
     heads = ("", f"{when}, {system}:", "", head, "| --- | --- | --- | --- |")
-    whole = "\n".join([*heads, *lines.values(), ""])
+    whole = "\n".join([*heads, *rows, ""])
     write_text_atomic(PAGE, f"{before}{begin}{whole}{end}{after}")
 
 
