@@ -52,7 +52,7 @@ def components_of(problem: Problem, settings: Settings) -> tuple[Component, ...]
         )
     t = times(problem)
     apart = np.abs(t[:, None] - t[None, :])
-    for name, tau, share in (("drift", _FAST, 0.5), ("slow_drift", _SLOW, 0.5)):
+    for name, tau, share in (("drift", _FAST, 0.5), ("slow_drift", _SLOW, 1.0)):
         drift = share * typical**2 * np.exp(-apart / (tau * max(float(np.ptp(t)), 1e-9)))
         matrix = np.asarray(np.kron(np.eye(c), drift), dtype=np.float64)
         found.append(Component(name, matrix, _DRIFTING))

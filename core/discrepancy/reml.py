@@ -14,7 +14,7 @@ from core.discrepancy.components import Component
 _ROUNDS = 8
 _CLIP = 3.0
 _FEWEST = 4
-_TOGETHER = 0.85
+_TOGETHER = 0.7
 
 
 @dataclass(frozen=True, slots=True, eq=False)

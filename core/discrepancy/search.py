@@ -21,6 +21,7 @@ _ROUNDS = 3
 _FINEST = 0.02
 _CHORDS = 4
 _FAR, _IMPLAUSIBLE = 15.0, -4.6
+_WORTH_A_LOOK, _COARSE, _MOST_BONUS = 10.0, 0.1, 4.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -84,7 +85,10 @@ class Search:
             value = float(by_name[place])
             if value > 0.0:
                 value += bank.instances[best].effect.log_odds + self._plausible(best, state)
-            found[name] = Scored(value, value - self.doubts.get(name, 0.0), self.slot(best))
+            slot = self.slot(best)
+            if slot.instance.effect.step > 0.0 and value > _WORTH_A_LOOK:
+                value += self.whole(slot, state)
+            found[name] = Scored(value, value - self.doubts.get(name, 0.0), slot)
         for name, (value, slot) in self.relabels.scores(state).items():
             found[name] = Scored(value, value, slot)
         return found
@@ -100,6 +104,23 @@ class Search:
         column = column - state.added @ (state.added.T @ column)
         size = float(column @ state.residual) / max(float(column @ column), 1e-300)
         return _IMPLAUSIBLE if abs(size) > _FAR * typical else 0.0
+
+    def whole(self, slot: Slot, others: State) -> float:
+        """What speaks for, or against, a fault whose size is likely a whole number of steps.
+
+        Half of such faults are; any other fault comes so close to a whole number by chance alone.
+        """
+        fine = self.polished(slot, others)
+        rest = self.bank.space.rest(fine.raw)
+        rest = rest - others.added @ (others.added.T @ rest)
+        u = 1.0 / max(float(np.linalg.norm(rest)), 1e-300)
+        steps = float(self._values(fine, others)[0]) / fine.instance.effect.step
+        away, near = abs(steps - round(steps)), 2.0 * u / fine.instance.effect.step
+        if near > _COARSE:
+            return 0.0
+        if round(steps) == 0 or away > near:
+            return float(np.log(0.5))
+        return float(min(np.log(0.5 + 0.25 / near), _MOST_BONUS))
 
     def slot(self, instance: int) -> Slot:
         """An instance of the bank as a slot."""

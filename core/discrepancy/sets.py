@@ -49,7 +49,9 @@ def rivals_of(engine: Engine, state: State, place: int) -> Rivals:
     # A twin of the step gets evidence for nothing but its name: one of many places has less.
     top = max(evidence, ranked[0][1].evidence)
     tied = [name for name, one, _ in ranked if one.evidence > top - _TIE and name != slot.name]
-    twins = aliases(engine, state, place)
+    # A whole number of degrees tells a wrong angle from all that merely looks like it.
+    told = slot.instance.effect.step > 0.0 and search.whole(slot, others) > 0.0
+    twins = () if told else aliases(engine, state, place)
     return Rivals(
         others=others,
         ranked=ranked,

@@ -119,7 +119,10 @@ def fit_slots(engine: Engine, state: State) -> list[FittedSlot]:
     wide = np.hstack([design, *[e for e in extra if e is not None]])
     _, covariance = _solved(space.white(wide), y)
     dof = space.dof - state.added.shape[1]
-    level = (space.prior + state.rss) / max(space.prior + dof, 1.0)
+    # A lucky draw of the noise makes no parameter surer than the floor does; the spread of
+    # Student's form is that of a floor which is known from so many degrees of freedom alone.
+    known = max(space.prior + dof, 3.0)
+    level = max((space.prior + state.rss) / known, 1.0) * known / (known - 2.0)
     u = np.sqrt(np.maximum(np.diag(covariance)[:count] * level, 0.0))
     found: list[FittedSlot] = []
     for i, slot in enumerate(state.slots):

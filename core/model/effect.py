@@ -123,6 +123,7 @@ class Effect(ABC):
     instant : it depends on what acts at the moment alone, so that a rig can play it
     timed : it changes with time alone
     log_odds : what speaks for it before the outputs are looked at, natural logarithm
+    step : its first parameter is likely a whole number of these; 0 where it is not
     """
 
     id: str
@@ -143,6 +144,7 @@ class Effect(ABC):
     instant: bool = True
     timed: bool = False
     log_odds: float = 0.0
+    step: float = 0.0
 
     @abstractmethod
     def parameters(self, sensor: Sensor) -> tuple[Parameter, ...]:

@@ -86,6 +86,7 @@ def test_simulated_noise_has_the_covariance_that_was_found():
     problem = Problem.of(head_run())
     floor = Floor.of(problem, SETTINGS, ())
     space = floor.space(problem.design())
-    nulls = floor.nulls(space, np.random.default_rng(1))
+    # A dozen draws of the sizes scatter; the mean of several dozen lies near what was found.
+    nulls = np.hstack([floor.nulls(space, np.random.default_rng(seed)) for seed in range(5)])
     assert np.mean(np.sum(nulls**2, axis=0)) == pytest.approx(space.dof, rel=0.35)
     assert np.max(np.abs(space.basis.T @ nulls)) < 1e-9
