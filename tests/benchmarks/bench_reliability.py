@@ -97,7 +97,7 @@ def by_coverage(name: str, seconds: int) -> Row:
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
     lines = done.stderr.splitlines()
     count = [line.rpartition(" ")[2] for line in lines if "number_of_executed_units" in line]
-    reached = [part for line in lines if " DONE " in line for part in line.split()]
+    reached = [part for line in lines if "DONE" in line for part in line.split()]
     places = reached[reached.index("cov:") + 1] if "cov:" in reached else "?"
     if done.returncode or not count:
         errors = [line for line in done.stdout.splitlines() + lines if "Error" in line]
