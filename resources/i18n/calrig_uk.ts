@@ -4066,6 +4066,11 @@
         </message>
         <message>
             <location filename="../../gui/advisor/presenter.py" />
+            <source>End the session in its tab by New session, then open it again.</source>
+            <translation>Завершіть сеанс у його вкладці через «Новий сеанс», потім відкрийте його знову.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/advisor/presenter.py" />
             <source>A plan of your own is refused</source>
             <translation>Ваш власний план відхилено</translation>
         </message>
@@ -4178,6 +4183,11 @@
             <location filename="../../gui/archive/exporting.py" />
             <source>The file cannot be written</source>
             <translation>Файл неможливо записати</translation>
+        </message>
+        <message>
+            <location filename="../../gui/archive/exporting.py" />
+            <source>Close it where it is open, or choose another folder.</source>
+            <translation>Закрийте його там, де він відкритий, або виберіть іншу теку.</translation>
         </message>
         <message>
             <location filename="../../gui/archive/exporting.py" />
@@ -5369,6 +5379,11 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         </message>
         <message>
             <location filename="../../gui/drift/presenter.py" />
+            <source>Remove it from the list, or choose another output at the left.</source>
+            <translation>Приберіть його зі списку або виберіть інший вихід ліворуч.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/drift/presenter.py" />
             <source>is being read …</source>
             <translation>читається…</translation>
         </message>
@@ -6441,6 +6456,11 @@ State the noise of the gyro at the left, or take it from a record, to see how lo
         </message>
         <message>
             <location filename="../../gui/thermal/presenter.py" />
+            <source>Remove it from the list; the others are used without it.</source>
+            <translation>Приберіть його зі списку; інші використовуються без нього.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/thermal/presenter.py" />
             <source>{rows} rows</source>
             <translation>рядків: {rows}</translation>
         </message>
@@ -7151,6 +7171,11 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
             <translation>{name} неможливо проаналізувати</translation>
         </message>
         <message>
+            <location filename="../../gui/allan/presenter.py" />
+            <source>Set its channel and rate at the left, or remove it from the list.</source>
+            <translation>Вкажіть його канал і частоту ліворуч або приберіть його зі списку.</translation>
+        </message>
+        <message>
             <location filename="../../gui/allan/settings_view.py" />
             <source>{rate} Hz</source>
             <translation>{rate} Hz</translation>
@@ -7287,6 +7312,11 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         </message>
         <message>
             <location filename="../../gui/app.py" />
+            <source>Start with pointer, clbacc, or a whole sim:// address.</source>
+            <translation>Почніть з pointer, clbacc або повної адреси sim://.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/app.py" />
             <source>Simulated PW09</source>
             <translation>Симульований PW09</translation>
         </message>
@@ -7297,13 +7327,13 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         </message>
         <message>
             <location filename="../../gui/app.py" />
-            <source>A device file is refused</source>
-            <translation>Файл пристрою відхилено</translation>
+            <source>No such rig</source>
+            <translation>Такого стенда немає</translation>
         </message>
         <message>
             <location filename="../../gui/app.py" />
-            <source>No such rig</source>
-            <translation>Такого стенда немає</translation>
+            <source>A device file is refused</source>
+            <translation>Файл пристрою відхилено</translation>
         </message>
         <message>
             <location filename="../../gui/archive/library.py" />
@@ -8893,6 +8923,16 @@ Without a command the window opens.</translation>
             <location filename="../../gui/measuring/words.py" />
             <source>Bolt the unit on anew with {place}.</source>
             <translation>Закріпіть виріб знову, {place}.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/messages.py" />
+            <source>Nothing was changed. Choose another file, or correct the place that is named.</source>
+            <translation>Нічого не змінено. Виберіть інший файл або виправте назване місце.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/messages.py" />
+            <source>Make room there, or choose another folder; then try again.</source>
+            <translation>Звільніть там місце або виберіть іншу теку; потім спробуйте знову.</translation>
         </message>
         <message>
             <location filename="../../gui/methods/demo.py" />
