@@ -19,7 +19,7 @@ LIST = (0, 30, 60, 80, 100, 120, 150, 180, 210, 240, 260, 280, 300, 330, 360)
 @pytest.mark.parametrize("kind", [PITCH, ROLL])
 def test_the_practicums_list_is_the_first_and_the_head_runs_against_it(kind):
     plans = accuracy_plans(kind)
-    assert list(plans)[0] == f"{kind}_accuracy"
+    assert next(iter(plans)) == f"{kind}_accuracy"
     assert all(kind_of(plan) == kind for plan in plans.values())
     plan = plans[f"{kind}_accuracy"]
     assert tuple(wanted_deg(plan).values()) == LIST
