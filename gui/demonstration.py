@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from urllib.parse import urlencode
 
-from PySide6.QtCore import QSize
+from PySide6.QtCore import QEvent, QSize
 from PySide6.QtWidgets import QApplication
 
 from core.errors import LinkError
@@ -89,6 +89,9 @@ def demonstrate(out: Path, steps: tuple[str, ...], seed: int) -> Outcome:
     finally:
         application.close()
         application.window.close()
+        # What is connected to the window keeps it alive until Qt lets go of it.
+        application.window.deleteLater()
+        QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 
 
 class _Scene:
