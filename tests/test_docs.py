@@ -3,6 +3,12 @@
 import re
 from pathlib import Path
 
+import pytest
+
+from core.certificates.laboratory import read_laboratory
+from drivers.virtual.address import rig_of
+from gui.commands.table import COMMANDS
+
 ROOT = Path(__file__).resolve().parents[1]
 DOCS = ROOT / "docs"
 PAGES = sorted([*ROOT.glob("*.md"), *DOCS.rglob("*.md")])
@@ -54,3 +60,28 @@ def test_the_guide_shows_every_tab_of_the_window():
     assert len(titles) > 10
     guide = (DOCS / "guide" / "README.md").read_text("utf-8")
     assert [title for title in titles if f"| {title} |" not in guide] == []
+
+
+def test_the_laboratory_that_is_shown_can_be_read(tmp_path: Path):
+    page = (DOCS / "certificate.md").read_text("utf-8")
+    (example,) = re.findall(r"```json\n(.*?)```", page, re.DOTALL)
+    path = tmp_path / "laboratory.json"
+    path.write_text(example, "utf-8")
+    assert read_laboratory(path).standards[0].serial == "114"
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.relative_to(ROOT).as_posix())
+def test_commands_and_rigs_that_a_page_names_exist(page: Path):
+    text = page.read_text("utf-8")
+    named = set(re.findall(r"(?:^ *|`)calrig ([a-z][a-z-]*)", text, re.MULTILINE))
+    assert named - set(COMMANDS) == set()
+    for address in re.findall(r'"(sim://\w[^"]*)"', text):
+        rig_of(address)
+
+
+@pytest.mark.parametrize("page", sorted(DOCS.rglob("*.md")), ids=lambda page: page.stem)
+def test_sources_that_a_page_names_exist(page: Path):
+    places = re.findall(
+        r"`((?:core|drivers|gui|tests|resources)/[\w/.]+)`", page.read_text("utf-8")
+    )
+    assert [place for place in places if not (ROOT / place).exists()] == []
