@@ -57,8 +57,8 @@ class WindowMenu(QMenu):
             (self._before, "Ctrl+Shift+Tab"),
         ):
             action.setShortcut(QKeySequence(key))
-        self._next.triggered.connect(lambda: self._step(1))
-        self._before.triggered.connect(lambda: self._step(-1))
+        self._next.triggered.connect(self._on_next)
+        self._before.triggered.connect(self._on_before)
         self.go_to.addSeparator()
         self.go_to.addActions([self._next, self._before])
         for group, menu, actions in (
@@ -70,11 +70,9 @@ class WindowMenu(QMenu):
                 action.setData(name)
                 group.addAction(action)
                 menu.addAction(action)
-        self._groups[0].triggered.connect(lambda action: self.look_chosen.emit(action.data()))
-        self._groups[1].triggered.connect(
-            lambda action: self.volume_chosen.emit(VOLUMES[action.data()])
-        )
-        self._groups[2].triggered.connect(lambda action: self.language_chosen.emit(action.data()))
+        told = (self._on_look, self._on_volume, self._on_language)
+        for group, slot in zip(self._groups, told, strict=True):
+            group.triggered.connect(slot)
         self.help.addActions([self.keys, self.tour])
         self.addMenu(self.go_to)
         self.addAction(self.distance)
@@ -118,6 +116,21 @@ class WindowMenu(QMenu):
 
     def _on_place(self) -> None:
         self._tabs.setCurrentIndex(self._places.index(cast(QAction, self.sender())))
+
+    def _on_look(self, action: QAction) -> None:
+        self.look_chosen.emit(action.data())
+
+    def _on_volume(self, action: QAction) -> None:
+        self.volume_chosen.emit(VOLUMES[action.data()])
+
+    def _on_language(self, action: QAction) -> None:
+        self.language_chosen.emit(action.data())
+
+    def _on_next(self) -> None:
+        self._step(1)
+
+    def _on_before(self) -> None:
+        self._step(-1)
 
     def _step(self, way: int) -> None:
         self._tabs.setCurrentIndex((self._tabs.currentIndex() + way) % self._tabs.count())
