@@ -119,6 +119,10 @@ class _Scene:
         connection = self._application.connection
         self._application.open_simulated(url)
         self.until(lambda: connection.link is not None, "the rig could not be opened")
+        # What the tabs before say of the new device belongs to no picture of this one.
+        messages = self._application.messages
+        while messages.current is not None:
+            messages.dismiss()
         return rig_of(url)
 
     def show(self, title: str) -> object:

@@ -15,6 +15,8 @@ from gui.measuring.demonstrating import Stage, Told, process, walk
 
 TITLE = "Accuracy"
 _ACCUMULATION_S = 5.0
+_SETTLE_S = 6.0
+"""Longer than the operator of the rig looks at the dial before the last degrees."""
 
 
 def play(stage: Stage) -> Told:
@@ -25,7 +27,8 @@ def play(stage: Stage) -> Told:
         raise TypeError(f"{TITLE} is a {type(tab).__name__}")
     stage.until(lambda: tab.sitting.walk.status is not None, "the rig did not answer")
     tab.presenter.set_plan("roll_accuracy")
-    tab.presenter.set_settings(replace(tab.sitting.settings, accumulation_s=_ACCUMULATION_S))
+    times = {"accumulation_s": _ACCUMULATION_S, "settle_s": _SETTLE_S}
+    tab.presenter.set_settings(replace(tab.sitting.settings, **times))
     session = walk(stage, tab, "accuracy-measuring")
     stage.until(lambda: not tab.results.busy, "the angles were not judged")
     process(stage, tab, "accuracy-roll", ("csv",))
