@@ -285,6 +285,9 @@ def run(environment: Environment, arguments: list[str]) -> int:
     provide_libraries(environ)
     environment.prepare(RUNTIME)
     what = ["demo"] if offscreen else ["--simulated"]
+    if offscreen and "--part" not in arguments:
+        # The measuring tabs; `calrig demo` alone plays all tabs, which takes some minutes.
+        what += ["--part", "head", "--part", "rate", "--part", "accuracy"]
     command = [str(environment.python), "-m", "calrig", *what, *arguments]
     os.chdir(environment.root)
     if os.name == "posix":

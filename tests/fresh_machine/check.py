@@ -92,7 +92,7 @@ def from_the_bundle(folder: Path, suite: str, bundle: Path) -> None:
     if (folder / "usr/bin/python3").exists():
         sys.exit("the machine has a Python; the bundle would prove nothing")
     shutil.copytree(bundle, folder / "opt" / "calrig", symlinks=True)
-    machine.call(["/opt/calrig/calrig", "demo", "--out", "demo"], "/srv")
+    machine.call(["/opt/calrig/calrig", "demo", "--part", "head", "--out", "demo"], "/srv")
 
 
 def run(command: list[str], environ: dict[str, str] | None = None) -> None:
