@@ -213,7 +213,7 @@ class MeasuringView(QWidget):
             wanted.setStretchFactor(2, 2)
             unit = self.fontMetrics().height()
             self._middle.setSizes([12 * unit, 22 * unit, 30 * unit])
-            self.results.setMinimumWidth(38 * unit if wide else 0)
+            self.results.setMinimumWidth(34 * unit if wide else 0)
             self._across.setSizes([21 * unit, 36 * unit, 60 * unit])
         self._lower.setVisible(wide or not shown)
 
