@@ -10,6 +10,7 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QPushButton,
     QScrollArea,
+    QSizePolicy,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -57,6 +58,8 @@ class ResultsView(QWidget):
         head = QHBoxLayout()
         head.addWidget(self._title)
         head.addSpacing(unit // 2)
+        # The name of a session is long; cut short it costs less than a page that cannot shrink.
+        self._source.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         head.addWidget(self._source, 1)
         self.certificate = QPushButton()
         self.certificate.clicked.connect(self.certificate_requested)
@@ -96,6 +99,7 @@ class ResultsView(QWidget):
         self._state = state
         self._title.setText(state.title)
         self._source.setText(state.source)
+        self._source.setToolTip(state.source)
         while item := self._column.takeAt(0):
             if (old := item.widget()) is not None:
                 old.hide()
