@@ -31,6 +31,9 @@ class Tour(QObject):
     connect : connects the simulated rig, if nothing is connected
     """
 
+    _number = -1
+    """The step on the screen; of the class, since a filter may be asked while Python lets it go."""
+
     def __init__(
         self,
         window: MainWindow,
