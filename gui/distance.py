@@ -112,6 +112,7 @@ class Distance(QObject):
             QCoreApplication.sendEvent(steps, event)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() in _PLACED and self.view.isVisible():
+        # While Python lets go of it, it is still asked and has no members any more.
+        if event.type() in _PLACED and "view" in self.__dict__ and self.view.isVisible():
             self._place()
         return super().eventFilter(watched, event)
