@@ -3,6 +3,7 @@
     python tests/benchmarks/bench_explain.py --full        all cases (hours on two cores)
     python tests/benchmarks/bench_explain.py --quick 100   about 100 cases of each group
     python tests/benchmarks/bench_explain.py --quick 100 --group clean --rows rows.json
+    python tests/benchmarks/bench_explain.py --quick 100 --lot 7     cases that nobody has seen yet
 
 The cases come from tests/blind, which shares no code with the program. Their keys are sealed: the
 hash of all is printed before the first answer. Forward stepwise regression (p < 0.05) answers the
@@ -58,12 +59,18 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--processes", type=int, default=2)
     parser.add_argument("--group", action="append", help="only this group of cases; repeatable")
     parser.add_argument("--plan", action="append", help="only this plan; repeatable")
+    parser.add_argument(
+        "--lot", type=int, default=0, help="another draw of all cases; 0 is the usual"
+    )
     parser.add_argument("--rows", type=Path, help="write the score of every case to this file")
     parser.add_argument("--no-peer", action="store_true", help="without stepwise regression")
     chosen = parser.parse_args(arguments)
-    groups = grid.specs() if chosen.full else grid.quick(chosen.quick)
+    plans = tuple(chosen.plan or ())
+    groups = grid.specs(lot=chosen.lot)
+    if not chosen.full:
+        groups = grid.quick(chosen.quick, chosen.lot, plans)
     groups = {
-        name: [spec for spec in some if not chosen.plan or spec.plan in chosen.plan]
+        name: [spec for spec in some if not plans or spec.plan in plans]
         for name, some in groups.items()
         if not chosen.group or name in chosen.group
     }

@@ -190,6 +190,14 @@ def test_the_full_grid_has_every_kind_and_no_case_twice():
         assert len(some) <= 7
 
 
+def test_another_lot_shares_no_case_with_the_usual_one():
+    usual, other = quick(5), quick(5, lot=7, plans=("A80", "B84r"))
+    seen = {(s.plan, s.seed) for some in specs().values() for s in some}
+    assert not any((s.plan, s.seed) in seen for some in other.values() for s in some)
+    assert {s.plan for some in other.values() for s in some} == {"A80", "B84r"}
+    assert quick(5, lot=0) == usual
+
+
 def test_the_oracle_reads_the_key_beside_the_run(tmp_path: Path):
     spec = Spec("A80", "single", 12.0, 2, "bias_jump")
     runner.seal((spec, str(tmp_path)))
