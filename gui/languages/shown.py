@@ -76,8 +76,11 @@ class Book:
     def __init__(self, messages: Iterable[Message], decimal: str) -> None:
         self._decimal = decimal
         self._exact: dict[str, str] = {}
+        self._originals: dict[str, set[str]] = {}
+        self._beginnings: list[tuple[str, str]] = []
         templates: list[_Template] = []
         for message in messages:
+            self._keep_original(message)
             if message.context != SHOWN or not message.translation:
                 continue
             self._exact[message.source] = message.translation
@@ -89,6 +92,18 @@ class Book:
         # Bound here: a method cached by its class would keep every book alive.
         self.translate = lru_cache(maxsize=8192)(self._translate)
         self._pattern = lru_cache(maxsize=None)(_pattern)
+
+    def _keep_original(self, message: Message) -> None:
+        beginning, gap, _ = message.translation.partition("{")
+        if not gap:
+            self._originals.setdefault(message.translation, set()).add(message.source)
+        elif beginning.strip():
+            self._beginnings.append((beginning, message.source))
+
+    def originals(self, words: str) -> set[str]:
+        """Return the English texts of which these words are, or can be, the translation."""
+        found = set(self._originals.get(words, ()))
+        return found | {source for start, source in self._beginnings if words.startswith(start)}
 
     def number(self, text: str) -> str:
         """Return a text with the decimal mark of the language in its numbers."""
@@ -178,6 +193,12 @@ def shown(text: str) -> str:
     """
     book = _Voice.book
     return text if book is None else book.translate(text)
+
+
+def originals(words: str) -> set[str]:
+    """Return the English texts that words of the window can be a translation of."""
+    book = _Voice.book
+    return set() if book is None else book.originals(words)
 
 
 def shown_number(text: str) -> str:

@@ -30,7 +30,7 @@ class PreferencesView(QWidget):
     Parameters
     ----------
     presenter : what the fields call
-    menu : of the window, whose looks and sounds stand here as well
+    menu : of the window, whose looks, sounds and languages stand here as well
     """
 
     def __init__(
@@ -50,12 +50,12 @@ class PreferencesView(QWidget):
         self._latitude = NumberField(_NOT_STATED, 90.0, 3, "°")
         for field, step in ((self._g, 0.0001), (self._u_g, 0.0001), (self._latitude, 1.0)):
             field.setSingleStep(step)
-        self._look, self._sounds = ChoiceField(), ChoiceField()
+        self._look, self._sounds, self._language = ChoiceField(), ChoiceField(), ChoiceField()
         self._browse, self._close = QPushButton(), QPushButton()
         self._hint = QLabel()
         self._hint.setWordWrap(True)
         self._hint.setForegroundRole(QPalette.ColorRole.PlaceholderText)
-        self._labels = [QLabel() for _ in range(7)]
+        self._labels = [QLabel() for _ in range(8)]
         self._build()
         self._connect()
         self._retranslate()
@@ -73,6 +73,7 @@ class PreferencesView(QWidget):
             self._latitude,
             self._look,
             self._sounds,
+            self._language,
         )
         for place, field in enumerate(fields):
             row, column = place % 2, 2 * (place // 2)
@@ -80,12 +81,12 @@ class PreferencesView(QWidget):
             grid.addWidget(field, row, column + 1)
             self._labels[place].setBuddy(field)
             field.setMinimumWidth(10 * unit)
-        grid.setColumnStretch(6, 1)
+        grid.setColumnStretch(8, 1)
         folder = QHBoxLayout()
-        folder.addWidget(self._labels[6])
+        folder.addWidget(self._labels[7])
         folder.addWidget(self._folder, 1)
         folder.addWidget(self._browse)
-        self._labels[6].setBuddy(self._folder)
+        self._labels[7].setBuddy(self._folder)
         head = QHBoxLayout()
         head.addWidget(self._title)
         head.addStretch(1)
@@ -107,6 +108,7 @@ class PreferencesView(QWidget):
         self._browse.clicked.connect(self._on_browse)
         self._look.activated.connect(self._on_look)
         self._sounds.activated.connect(self._on_sounds)
+        self._language.activated.connect(self._on_language)
         self._close.clicked.connect(self.hide)
         self._presenter.changed.connect(self.render)
 
@@ -144,6 +146,7 @@ class PreferencesView(QWidget):
         for field, actions in (
             (self._look, self._menu.looks),
             (self._sounds, self._menu.volumes),
+            (self._language, self._menu.languages),
         ):
             field.clear()
             for name, action in actions.items():
@@ -183,6 +186,9 @@ class PreferencesView(QWidget):
     def _on_sounds(self) -> None:
         self._menu.volumes[self._sounds.currentData()].trigger()
 
+    def _on_language(self) -> None:
+        self._menu.languages[self._language.currentData()].trigger()
+
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape:
             self.hide()
@@ -205,6 +211,7 @@ class PreferencesView(QWidget):
             self.tr("Latitude"),
             self.tr("Look"),
             self.tr("Sounds"),
+            self.tr("Language"),
             self.tr("Folder of sessions"),
         )
         for label, text in zip(self._labels, words, strict=True):

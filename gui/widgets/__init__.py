@@ -26,6 +26,7 @@ toggle            a switch
 fields            numbers and choices that no wheel changes by accident
 banner            inline message: what happened, what it means, what to do
 device_strip      device, port, link, counters
+old_label_tip     what the old programs call the thing under the mouse
 ================  ==================================================================
 
 Charts of samples over time

@@ -2896,6 +2896,11 @@
         </message>
         <message>
             <location filename="../../gui/preferences/view.py" />
+            <source>Language</source>
+            <translation>Мова</translation>
+        </message>
+        <message>
+            <location filename="../../gui/preferences/view.py" />
             <source>stated in every session</source>
             <translation>вказується в кожному сеансі</translation>
         </message>
@@ -14978,6 +14983,31 @@ Without a command the window opens.</translation>
             <location filename="../../drivers/teach/checks.py" />
             <source>xorout 0x{xorout}</source>
             <translation>xorout 0x{xorout}</translation>
+        </message>
+        <message>
+            <location filename="../../drivers/teach/pace.py" />
+            <source>{address} does not run in real time</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../drivers/teach/pace.py" />
+            <source>its bytes came faster than {baud} baud can carry</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../drivers/teach/pace.py" />
+            <source>no times of its bytes are known</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../drivers/teach/pace.py" />
+            <source>{doubt}, and none of its numbers counts milliseconds or microseconds</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../drivers/teach/pace.py" />
+            <source>{doubt}; {name} counts {unit}, by which it is {hz} a second</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../drivers/toml_table.py" />

@@ -73,6 +73,21 @@ def test_look_and_sounds_are_those_of_the_menu(open_app: Callable[[], Driver]):
     app.window.menu.looks["light"].trigger()
 
 
+def test_the_language_is_that_of_the_menu_and_changes_at_once(open_app: Callable[[], Driver]):
+    operator = open_app()
+    app = operator.app
+    app.window.toggle_preferences()
+    panel = app.window.preferences
+    for code, title in (("uk", "Налаштування"), ("en", "Preferences")):
+        panel._language.setCurrentIndex(panel._language.findData(code))
+        panel._language.activated.emit(panel._language.currentIndex())
+        operator.until(lambda title=title: panel._title.text() == title)
+        assert app.languages.choice == code
+        assert app.window.menu.languages[code].isChecked()
+        assert panel._language.currentData() == code
+        assert panel._language.accessibleName() == ("Мова" if code == "uk" else "Language")
+
+
 def test_another_folder_is_told_and_used_at_the_next_start(
     open_app: Callable[[], Driver], tmp_path: Path
 ):
