@@ -10,6 +10,8 @@ guesses
     Which numbers the varying bytes hold.
 lengths
     Both readings of a byte that may tell the length.
+pace
+    How many frames come in a second: by the clock, or by a number that is the time.
 frames, text, analysis
     All of it put together: a proposed description of binary frames or of text lines.
 rows

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 from core.samples.block import Channel
 from drivers.events import Event
+from drivers.teach.pace import clock_doubt
 
 KEPT = 1 << 16
 """Bytes that are kept."""
@@ -20,27 +21,37 @@ class Heard:
     total : all bytes so far
     seconds : from the end of the first read to that of the last
     within : bytes that came in this time
+    port : address that they came from; empty if unknown
+    baud : its speed where it limits how fast they can have come; 0 if unknown
     """
 
     tail: bytes = b""
     total: int = 0
     seconds: float = 0.0
     within: int = 0
+    port: str = ""
+    baud: int = 0
 
     @property
     def bytes_per_s(self) -> float:
         """Mean rate of the bytes; 0 while it cannot be told."""
         return self.within / self.seconds if self.seconds > 0.2 else 0.0
 
+    @property
+    def doubt(self) -> str:
+        """Why this is not how fast the board sends; empty if it is, or not known."""
+        return clock_doubt(self.port, self.baud, self.bytes_per_s)
+
 
 class Ear:
     """Keeps the latest bytes; the reader's thread feeds it, any thread may look at `heard`."""
 
-    def __init__(self, kept: int = KEPT) -> None:
+    def __init__(self, kept: int = KEPT, port: str = "") -> None:
         self._kept = kept
+        self._port = port
         self._begun = 0.0
         self._first = 0
-        self.heard = Heard()
+        self.heard = Heard(port=port)
         """Replaced whole at each feeding."""
 
     @property
@@ -60,7 +71,7 @@ class Ear:
             self._begun, self._first = now, len(data)
         tail = (self.heard.tail + data)[-self._kept :]
         total = self.heard.total + len(data)
-        self.heard = Heard(tail, total, now - self._begun, total - self._first)
+        self.heard = Heard(tail, total, now - self._begun, total - self._first, self._port)
         return []
 
     def flush(self) -> list[Event]:

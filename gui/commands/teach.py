@@ -29,7 +29,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(args: argparse.Namespace) -> Answer:
     """Find out what the bytes of a file are."""
     heard = heard_in(args.rawlog)
-    proposal = analyse(heard.tail, heard.bytes_per_s)
+    proposal = analyse(heard.tail, heard.bytes_per_s, heard.doubt)
     if proposal.found is None:
         text = (
             f"{args.rawlog}: neither frames of one length nor lines of numbers were found in"
@@ -47,7 +47,12 @@ def _plain(proposal: Proposal, text: str) -> dict[str, object]:
     found, stream = proposal.found, proposal.stream
     if found is None or stream is None:
         return {"found": None}
-    told: dict[str, object] = {"share": found.share, "hz": proposal.hz, "device_file": text}
+    told: dict[str, object] = {
+        "share": found.share,
+        "hz": proposal.hz,
+        "rate_doubt": proposal.pace.why,
+        "device_file": text,
+    }
     if isinstance(stream, LineSpec):
         return {"found": "lines", **told, "columns": [one.name for one in stream.channels]}
     if not isinstance(found, FrameProposal):

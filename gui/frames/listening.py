@@ -7,7 +7,7 @@ from core.errors import FormatError, LinkError, StorageError
 from core.version import SOFTWARE
 from drivers.events import Ended
 from drivers.profile_types import PortSettings
-from drivers.rawlog import Chunk, RawLog, read_rawlog
+from drivers.rawlog import Chunk, RawLog, rawlog_header, read_rawlog
 from drivers.reader import Reader
 from drivers.records import is_recording
 from drivers.teach.ear import KEPT, Ear, Heard
@@ -26,7 +26,7 @@ class Listening:
     """
 
     def __init__(self, url: str, baud: int, folder: Path) -> None:
-        self.ear = Ear()
+        self.ear = Ear(port=url)
         self.error: LinkError | None = None
         """Why nothing more will come; None while it may."""
         self.raw_doubt: StorageError | None = None
@@ -86,7 +86,16 @@ def heard_in(path: Path) -> Heard:
             last = chunk.t
             total += len(chunk.data)
             tail = (tail + chunk.data)[-KEPT:]
-        heard = Heard(tail, total, last - first.t, total - len(first.data))
+        header = rawlog_header(path)
+        baud = header.get("baud")
+        heard = Heard(
+            tail,
+            total,
+            last - first.t,
+            total - len(first.data),
+            str(header.get("port", "")),
+            baud if isinstance(baud, int) else 0,
+        )
     if not heard.tail:
         raise FormatError(path, "holds no bytes of a device")
     return heard

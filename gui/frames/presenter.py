@@ -11,8 +11,10 @@ from core.samples.block import Channel
 from drivers.expression import evaluate
 from drivers.profile import Profile
 from drivers.profile_types import FrameSpec
-from drivers.teach.analysis import FEWEST, Proposal, analyse, usual_rate
+from drivers.teach.analysis import FEWEST, Proposal, analyse
+from drivers.teach.ear import Heard
 from drivers.teach.frames import FrameProposal, checks_of, describe
+from drivers.teach.pace import pace_of, usual_rate
 from gui.devices.connection import Connection
 from gui.devices.setup import DeviceSetup
 from gui.frames.readings import Readings, field_rows, read_latest
@@ -97,13 +99,16 @@ class FramesPresenter(QObject):
 
     def find(self) -> None:
         """Find out what the stream is, in a worker; replaces the description."""
-        tail, rate = self.source.tail, self.source.heard.bytes_per_s
+        tail, heard = self.source.tail, self.source.heard
         if self._searching or len(tail) < FEWEST:
             return
         self._searching = self._looked = True
         self.source.show(busy="Looking for frames, checksum and numbers")
         self._jobs.start(
-            "teach", lambda: analyse(tail, rate), self._on_found, self._on_search_failed
+            "teach",
+            lambda: analyse(tail, heard.bytes_per_s, heard.doubt),
+            self._on_found,
+            self._on_search_failed,
         )
 
     def set_frame(self, sync: str, length: int) -> None:
@@ -118,12 +123,12 @@ class FramesPresenter(QObject):
         if not 1 <= len(header) <= 8 or length <= len(header):
             self._set(verdict="A header has 1 to 8 bytes, and a frame more than it", sure=False)
             return
-        tail, rate = self.source.tail, self.source.heard.bytes_per_s
+        tail, heard = self.source.tail, self.source.heard
         self._searching = True
         self.source.show(busy="Looking for the checksum")
         self._jobs.start(
             "teach",
-            lambda: _by_hand(tail, header, length, rate),
+            lambda: _by_hand(tail, header, length, heard),
             self._on_found,
             self._on_search_failed,
         )
@@ -205,7 +210,8 @@ class FramesPresenter(QObject):
         source = self.source.state
         heard = source.file or source.url
         self._time()
-        taught = replace(self.taught, notes=f"taught from {heard}" if heard else "")
+        told = (f"taught from {heard}" if heard else "", self.taught.why_hz)
+        taught = replace(self.taught, notes="; ".join(filter(None, told)))
         try:
             path = save(self._root(), taught, source.baud)
         except LabError as error:
@@ -257,8 +263,8 @@ class FramesPresenter(QObject):
         """Count the samples a second once the stream has been heard for long enough."""
         heard = self.source.heard
         hz = heard.bytes_per_s * self.readings.per_byte
-        if heard.seconds > _LONG_S and hz > 0.0:
-            self.taught = replace(self.taught, hz=usual_rate(hz))
+        if heard.seconds > _LONG_S and hz > 0.0 and not heard.doubt:
+            self.taught = replace(self.taught, hz=usual_rate(hz), why_hz="")
 
     def _look(self) -> None:
         self.readings = read_latest(self.source.tail, self.taught)
@@ -305,6 +311,9 @@ class FramesPresenter(QObject):
             raise TypeError(f"a search brought {type(proposal).__name__}")
         self._searching = False
         self.source.show(busy="")
+        if self.source.state.listening and not self.source.heard.doubt:
+            # The clock tells it in a moment.
+            proposal = replace(proposal, pace=replace(proposal.pace, why=""))
         verdict, sure = verdict_words(proposal)
         if proposal.found is None:
             self._set(verdict=verdict, sure=False)
@@ -328,11 +337,12 @@ class FramesPresenter(QObject):
             self.changed.emit(state)
 
 
-def _by_hand(tail: bytes, header: tuple[int, ...], length: int, rate: float) -> Proposal:
+def _by_hand(tail: bytes, header: tuple[int, ...], length: int, heard: Heard) -> Proposal:
     """Describe frames of a given header and length."""
     fits = checks_of(tail, header, length)
     proposal: FrameProposal | None = describe(tail, header, length, fits[0] if fits else None)
     if proposal is None:
         return Proposal(None)
-    hz = rate * proposal.frames / len(tail) if tail else 0.0
-    return Proposal(replace(proposal, checks=tuple(fits)), float(f"{hz:.3g}"))
+    hz = heard.bytes_per_s * proposal.frames / len(tail)
+    pace = pace_of(tail, proposal.spec, hz, heard.doubt)
+    return Proposal(replace(proposal, checks=tuple(fits)), pace)

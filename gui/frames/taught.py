@@ -36,6 +36,7 @@ class Taught:
     name, kind : as the device file has them
     stream : the description; None until something is found
     hz : samples per second; 0 if unknown
+    why_hz : how that was found if not by the clock, or why it is unknown
     checks : checksums that fit the stream
     readings : of bytes that may tell the length
     notes : where it is from
@@ -45,6 +46,7 @@ class Taught:
     kind: str = "imu"
     stream: FrameSpec | LineSpec | None = None
     hz: float = 0.0
+    why_hz: str = ""
     checks: tuple[CheckFit, ...] = ()
     readings: tuple[LengthReading, ...] = ()
     notes: str = ""
@@ -87,7 +89,8 @@ def found(taught: Taught, proposal: Proposal) -> Taught:
     return replace(
         taught,
         stream=proposal.stream,
-        hz=proposal.hz or taught.hz,
+        hz=proposal.hz or (0.0 if proposal.pace.why else taught.hz),
+        why_hz=proposal.pace.why,
         checks=frames.checks if frames else (),
         readings=frames.readings if frames else (),
     )

@@ -7,6 +7,7 @@ from drivers.teach.ear import Heard
 from drivers.teach.frames import FrameProposal
 from drivers.teach.guesses import Hint
 from drivers.teach.lengths import LengthReading
+from drivers.teach.pace import Pace
 from gui.frames.state import Reading
 from gui.widgets.number_text import grouped
 
@@ -70,18 +71,25 @@ def verdict_words(proposal: Proposal) -> tuple[str, bool]:
     rate = f", {proposal.hz:g} a second" if proposal.hz else ""
     if isinstance(stream, LineSpec):
         text = f"Lines of {len(stream.channels)} numbers{rate}; {share(found.share)} of them read."
-        return text, found.share > _FITS
+        return text + pace_words(proposal.pace), found.share > _FITS
     if not isinstance(found, FrameProposal) or not isinstance(stream, FrameSpec):
         raise TypeError(f"frames are described by {type(stream).__name__}")
     text = f"Frames of {stream.shortest} bytes behind {sync_words(stream.sync)}{rate};"
     if found.checks:
         text += f" {found.checks[0].text} fits {share(found.checks[0].share)} of them."
-        return text, found.checks[0].share > _FITS
+        return text + pace_words(proposal.pace), found.checks[0].share > _FITS
     text += (
         " none of the known checksums fits, so where a frame begins is a guess:"
         " the longest run of bytes that stay the same."
     )
-    return text, False
+    return text + pace_words(proposal.pace), False
+
+
+def pace_words(pace: Pace) -> str:
+    """Why the rate is not told, or where it is from if not from the clock."""
+    if not pace.why:
+        return ""
+    return f" {pace.why}." if pace.hz else f" How many come in a second is not told: {pace.why}."
 
 
 def sync_words(sync: tuple[int | None, ...]) -> str:

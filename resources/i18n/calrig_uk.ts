@@ -7942,6 +7942,11 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         </message>
         <message>
             <location filename="../../gui/frames/presenter.py" />
+            <source>taught from {heard}</source>
+            <translation>навчено з {heard}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/presenter.py" />
             <source>{name} is connected</source>
             <translation>{name} під'єднано</translation>
         </message>
@@ -7954,11 +7959,6 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
             <location filename="../../gui/frames/presenter.py" />
             <source>A header has 1 to 8 bytes, and a frame more than it</source>
             <translation>Заголовок має від 1 до 8 байтів, а кадр — більше за нього</translation>
-        </message>
-        <message>
-            <location filename="../../gui/frames/presenter.py" />
-            <source>taught from {heard}</source>
-            <translation>навчено з {heard}</translation>
         </message>
         <message>
             <location filename="../../gui/frames/presenter.py" />
@@ -8124,6 +8124,11 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
             <location filename="../../gui/frames/texts.py" />
             <source>{text} fits {share} of them.</source>
             <translation>{text} підходить для {share} з них.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/texts.py" />
+            <source>How many come in a second is not told: {why}.</source>
+            <translation>Скільки їх приходить за секунду, не відомо: {why}.</translation>
         </message>
         <message>
             <location filename="../../gui/frames/texts.py" />
@@ -14986,28 +14991,43 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../drivers/teach/pace.py" />
+            <source>the time in seconds</source>
+            <translation>час у секундах</translation>
+        </message>
+        <message>
+            <location filename="../../drivers/teach/pace.py" />
+            <source>the time in milliseconds</source>
+            <translation>час у мілісекундах</translation>
+        </message>
+        <message>
+            <location filename="../../drivers/teach/pace.py" />
+            <source>the time in microseconds</source>
+            <translation>час у мікросекундах</translation>
+        </message>
+        <message>
+            <location filename="../../drivers/teach/pace.py" />
             <source>{address} does not run in real time</source>
-            <translation type="unfinished" />
+            <translation>{address} працює не в реальному часі</translation>
         </message>
         <message>
             <location filename="../../drivers/teach/pace.py" />
             <source>its bytes came faster than {baud} baud can carry</source>
-            <translation type="unfinished" />
+            <translation>його байти надійшли швидше, ніж їх можуть передати {baud} бод</translation>
         </message>
         <message>
             <location filename="../../drivers/teach/pace.py" />
             <source>no times of its bytes are known</source>
-            <translation type="unfinished" />
+            <translation>моменти надходження байтів невідомі</translation>
         </message>
         <message>
             <location filename="../../drivers/teach/pace.py" />
-            <source>{doubt}, and none of its numbers counts milliseconds or microseconds</source>
-            <translation type="unfinished" />
+            <source>{doubt}, and none of its numbers is the time</source>
+            <translation>{doubt}, і жодне з чисел не є часом</translation>
         </message>
         <message>
             <location filename="../../drivers/teach/pace.py" />
-            <source>{doubt}; {name} counts {unit}, by which it is {hz} a second</source>
-            <translation type="unfinished" />
+            <source>{doubt}; {name} is {unit}, by which it is {hz} a second</source>
+            <translation>{doubt}; {name} - це {unit}, за чим виходить {hz} за секунду</translation>
         </message>
         <message>
             <location filename="../../drivers/toml_table.py" />

@@ -5,7 +5,7 @@ import pytest
 
 from drivers.profile import parse_profile
 from drivers.profile_types import FrameSpec
-from drivers.teach.analysis import FEWEST, Proposal, analyse, device_file, usual_rate
+from drivers.teach.analysis import FEWEST, Proposal, analyse, device_file
 from drivers.teach.rows import frames_in
 from tests.drivers.teach.layouts import Layout, frames_of, invented, stream_of
 
@@ -65,11 +65,6 @@ def test_too_few_bytes_say_nothing():
 
 def test_silence_of_one_byte_is_no_board():
     assert analyse(bytes(4000)).found is None
-
-
-@pytest.mark.parametrize(("measured", "told"), [(199.2, 200.0), (1003.0, 1000.0), (33.33, 33.3)])
-def test_rates_are_rounded_to_usual_ones(measured: float, told: float):
-    assert usual_rate(measured) == told
 
 
 def test_the_rate_comes_from_the_bytes():

@@ -1,12 +1,13 @@
 """A recorded stream becomes a device file."""
 
 import json
+import struct
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from drivers.profile import load_profile
+from drivers.profile import Profile, load_profile
 from drivers.rawlog import RawLog
 from gui.commands.table import run_command
 from tests.drivers.teach.layouts import frames_of, invented
@@ -36,6 +37,49 @@ def test_a_raw_log_becomes_a_device_file(log: Path, tmp_path: Path, capsys):
     assert profile.text == told["device_file"]
     assert (profile.name, profile.stream.length) == ("strange", told["length"])
     assert profile.nominal_hz == pytest.approx(100.0, rel=0.03)
+
+
+def fast_log(tmp_path: Path, tick: int, header: dict[str, object]) -> Path:
+    """Frames of AA 55, a number that goes on by `tick`, two of noise; fifteen times too fast."""
+    rng = np.random.default_rng(4)
+    path = tmp_path / "fast.calrec"
+    writer = RawLog(path, header)
+    for n in range(0, 900, 10):
+        rows = bytearray()
+        for k in range(n, n + 10):
+            body = struct.pack("<Ihh", 40_000 + tick * k, *rng.integers(-900, 900, 2).tolist())
+            rows += b"\xaa\x55" + body + bytes([sum(body) & 0xFF])
+        writer.write(bytes(rows), writer._zero + (n / 10 + 1) * 10 / 3020)
+    writer.close()
+    return path
+
+
+def test_a_log_that_was_made_too_fast_writes_no_rate_and_says_why(tmp_path: Path, capsys):
+    path = fast_log(tmp_path, 1, {"port": "sim://pointer?speed=max", "baud": 921600})
+    assert run_command("teach", [str(path), "--json", "-"]) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert "nominal_hz" not in told["device_file"]
+    assert told["rate_doubt"].startswith("sim://pointer?speed=max does not run in real time")
+    assert "does not run in real time" in told["device_file"]
+    assert load_text(tmp_path, told["device_file"]).nominal_hz == 0.0
+
+
+def test_a_number_that_counts_microseconds_tells_the_rate_that_the_clock_does_not(
+    tmp_path: Path, capsys
+):
+    path = fast_log(tmp_path, 5000, {"port": "/dev/ttyUSB0", "baud": 115200})
+    assert run_command("teach", [str(path), "--json", "-"]) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert told["hz"] == 200.0
+    assert "faster than 115200 baud can carry" in told["rate_doubt"]
+    assert "is the time in microseconds" in told["rate_doubt"]
+    assert load_text(tmp_path, told["device_file"]).nominal_hz == 200.0
+
+
+def load_text(tmp_path: Path, text: str) -> Profile:
+    path = tmp_path / "taught.toml"
+    path.write_text(text, "utf-8")
+    return load_profile(path)
 
 
 def test_plain_bytes_and_text_are_taken(tmp_path: Path, capsys):
