@@ -188,6 +188,8 @@ class Expectation:
         best = int(np.argmax(fit.likelihood))
         same = _as_good(fit.likelihood)
         if fit.distance[best] < _IMPLAUSIBLE:
+            # Early in a session the likelihoods are wide; what the outputs rule out is not named.
+            same = tuple(i for i in same if fit.distance[i] < _IMPLAUSIBLE)
             return Recognition(Verdict.OTHER_POSITION, same, _looks_like(labels, same, chosen))
         return Recognition(
             Verdict.NO_POSITION,

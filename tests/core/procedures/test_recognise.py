@@ -63,6 +63,16 @@ def test_position_three_not_four() -> None:
     assert found.text == "this looks like position 3 or position 7, not position 4"
 
 
+def test_after_the_first_position_only_those_are_named_that_the_outputs_allow() -> None:
+    """The head still stands where it stood; the operator pressed Space without turning it."""
+    found = walked(1).recognise(OUTPUTS[0], INPUTS, LABELS, 1)
+    assert found.text == "this looks like position 1 or position 5, not position 2"
+    for chosen in range(1, 8):
+        for true in range(8):
+            told = walked(chosen).recognise(OUTPUTS[true], INPUTS, LABELS, chosen)
+            assert told.acceptable or chosen not in told.candidates
+
+
 def test_a_reversed_axis_is_named_when_the_polarity_is_known() -> None:
     nominal = Nominal(np.diag([-1335.0, -1335.0, 1335.0]), np.zeros(3), "certificate")
     expectation = Expectation(G, ("x", "y", "z"), nominal)
