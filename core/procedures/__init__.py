@@ -8,6 +8,8 @@ recognise
     Does the mean fit the chosen position, or another one; `recognise_angles`: by its own angle.
 calibration, triad
     `Calibration`: what a procedure hands to exports and reports; three sensors as one `Triad`.
+added, compensation
+    Effects beyond the plain model in a calibration; taking them out where the unit is used.
 physical
     Samples in units of their input, by a calibration.
 dividing_head

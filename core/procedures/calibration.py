@@ -8,6 +8,7 @@ from core.arrays import FloatArray
 from core.errors import FitError, Note
 from core.fit.result import FitResult
 from core.model.effect import AXES
+from core.procedures.added import AddedEffect
 from core.procedures.triad import Triad, triad_of
 from core.samples.run import Conditions
 
@@ -50,6 +51,7 @@ class Calibration:
     temperature_c : mean temperature; NaN if it was not measured in degrees
     notes : doubts about the unit as a whole; each fit has its own besides
     provenance : where it comes from
+    effects : (c,) of each sensor what was added to its plain model; empty where nothing was
     """
 
     sensor: str
@@ -61,6 +63,7 @@ class Calibration:
     temperature_c: float
     notes: tuple[Note, ...]
     provenance: Provenance
+    effects: tuple[tuple[AddedEffect, ...], ...] = ()
 
     @property
     def is_triad(self) -> bool:

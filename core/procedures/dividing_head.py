@@ -20,6 +20,7 @@ from core.model.effect import AXES, Effect, Sensor
 from core.model.sensor_model import SensorModel
 from core.model.stimulus import Stimulus, stimulus_of
 from core.plans.orientation import LEVEL, NO_TILT, BaseOrientation
+from core.procedures.added import NOTHING, Added, AddedEffect, response_of, with_effects
 from core.procedures.calibration import Calibration, Provenance
 from core.samples.run import Conditions, Run
 from core.version import SOFTWARE
@@ -43,6 +44,7 @@ def calibrate(
     conditions: Conditions,
     base: BaseOrientation = LEVEL,
     tilter_deg: tuple[float, float, float] = NO_TILT,
+    added: Added = NOTHING,
 ) -> Calibration:
     """Estimate bias, scale factor and cross-axis sensitivity of every sensor of a run.
 
@@ -52,6 +54,7 @@ def calibrate(
     conditions : g with its uncertainty, u of a head setting; over what the run itself states
     base : how the head's base plate stands
     tilter_deg : yaw, pitch, roll that a tilter adds between the head's plate and the case
+    added : effects beyond bias, scale factor and cross axes
 
     Raises
     ------
@@ -64,7 +67,8 @@ def calibrate(
         raise FitError("local gravity is missing; state it in m/s^2, e.g. 9.8106 for Kyiv")
     stimulus = stimulus_of(run, conditions.g_mps2, base=base, tilter_deg=tilter_deg)
     axes = tuple(axis or _steepest_axis(stimulus, run.y[:, c]) for c, axis in enumerate(run.axes))
-    fits = tuple(_fit_channel(run, stimulus, conditions, c, axis) for c, axis in enumerate(axes))
+    found = [_fit_channel(run, stimulus, conditions, c, axis, added) for c, axis in enumerate(axes)]
+    fits = tuple(fit for fit, _ in found)
     return Calibration(
         sensor=run.sensor,
         unit=run.unit,
@@ -84,6 +88,7 @@ def calibrate(
             measured_utc=str(run.meta.get("measured_utc", "")),
             computed_utc=datetime.now(UTC).isoformat(timespec="seconds"),
         ),
+        effects=tuple(effects for _, effects in found) if added else (),
     )
 
 
@@ -94,12 +99,14 @@ def _sources(run: Run) -> tuple[tuple[str, str], ...]:
 
 
 def _fit_channel(
-    run: Run, stimulus: Stimulus, conditions: Conditions, channel: int, axis: str
-) -> FitResult:
+    run: Run, stimulus: Stimulus, conditions: Conditions, channel: int, axis: str, added: Added
+) -> tuple[FitResult, tuple[AddedEffect, ...]]:
     sensor = Sensor(run.sensor, axis, run.unit)
     full = (CATALOGUE["bias"], CATALOGUE["scale_factor"], CATALOGUE["cross_axis"])
     se_dof = run.extra.get("se_dof", np.full(len(run), np.inf))
-    rows = Rows(run.y[:, channel], run.y_se[:, channel], se_dof)
+    name = run.channels[channel]
+    y = run.y[:, channel] + added.change(name, slice(None))
+    rows = Rows(y, run.y_se[:, channel], se_dof)
     notes: tuple[Note, ...] = ()
     try:
         fit = fit_sensor(SensorModel(sensor, full), stimulus, rows, conditions)
@@ -114,8 +121,13 @@ def _fit_channel(
                 " them; add a rotation about another axis",
             ),
         )
-    pairs = _opposite_pairs(run, stimulus, channel, fit, conditions.g_mps2)
-    return replace(fit, notes=(*fit.notes, *notes, *pairs))
+    effects = added.of(name)
+    fit, acting = with_effects(fit, sensor, stimulus, rows, conditions, effects, added.columns)
+    if acting:
+        linear = fit.value("bias") + stimulus.a @ np.array(response_of(sensor, fit))
+        y = y - (fit.fitted - linear)
+    pairs = _opposite_pairs(run, stimulus, y, fit, conditions.g_mps2)
+    return replace(fit, notes=(*fit.notes, *notes, *pairs)), acting
 
 
 def _determined(
@@ -140,7 +152,7 @@ def _mean_temperature(run: Run) -> float:
 
 
 def _opposite_pairs(
-    run: Run, stimulus: Stimulus, channel: int, fit: FitResult, g: float
+    run: Run, stimulus: Stimulus, y: FloatArray, fit: FitResult, g: float
 ) -> tuple[Note, ...]:
     """Compare the bias that each pair of opposite positions gives on its own.
 
@@ -148,7 +160,6 @@ def _opposite_pairs(
     degree of freedom that there is, and the pair formulas of (1.8) average over it in silence.
     """
     pairs: list[_Pair] = []
-    y = run.y[:, channel]
     for axis in range(3):
         along = np.abs(stimulus.a[:, axis]) > g * (1.0 - 1e-6)
         up = np.flatnonzero(along & (stimulus.a[:, axis] > 0))

@@ -23,6 +23,7 @@ from core.model.effect import AXES, Effect, Sensor
 from core.model.sensor_model import SensorModel
 from core.model.stimulus import Stimulus, stimulus_of
 from core.plans.orientation import LEVEL, BaseOrientation
+from core.procedures.added import NOTHING, Added, AddedEffect, with_effects
 from core.procedures.calibration import Calibration, Provenance
 from core.procedures.earth import azimuth_missing, feels, latitude_missing, level_dps, vertical_dps
 from core.samples.run import Conditions, Run
@@ -45,6 +46,7 @@ class GSensor:
     scale_factor : output per deg/s, from the fit or from an earlier one; None where none is known
     g_mps2 : local gravity
     notes : doubts about this sensor
+    effects : what was added to its plain model
     """
 
     channel: str
@@ -53,6 +55,7 @@ class GSensor:
     scale_factor: Estimate | None
     g_mps2: float
     notes: tuple[Note, ...]
+    effects: tuple[AddedEffect, ...] = ()
 
     @property
     def axes(self) -> tuple[str, ...]:
@@ -149,6 +152,9 @@ class GSensitivity:
                 software=SOFTWARE,
                 computed_utc=datetime.now(UTC).isoformat(timespec="seconds"),
             ),
+            effects=tuple(s.effects for s in self.sensors)
+            if any(s.effects for s in self.sensors)
+            else (),
         )
 
 
@@ -177,6 +183,7 @@ def fit_g_sensitivity(
     conditions: Conditions,
     site: HeadSite = UNKNOWN_SITE,
     scale_factors: Mapping[str, Estimate] | None = None,
+    added: Added = NOTHING,
 ) -> GSensitivity:
     """Estimate zero and g-sensitivity of every gyro of a run on the head.
 
@@ -187,6 +194,7 @@ def fit_g_sensitivity(
     site : how the head stands
     scale_factors : by channel, from the rate table; needed to take the Earth's rate out and to
         give deg/s
+    added : effects beyond zero and g-sensitivity
 
     Raises
     ------
@@ -201,8 +209,12 @@ def fit_g_sensitivity(
         earth = 0.0 if k is None else k.value * stimulus.w[:, AXES.index(axis)]
         effects = (CATALOGUE["bias"], g_effect(stimulus))
         model = SensorModel(Sensor("gyro", axis, head.unit), effects)
-        fit = fit_sensor(model, stimulus, rows_of(head, channel, earth), conditions)
-        sensor = GSensor(name, axis, fit, k, conditions.g_mps2, ())
+        rows = rows_of(head, channel, earth - added.change(name, slice(None)))
+        fit = fit_sensor(model, stimulus, rows, conditions)
+        fit, acting = with_effects(
+            fit, model.sensor, stimulus, rows, conditions, added.of(name), added.columns
+        )
+        sensor = GSensor(name, axis, fit, k, conditions.g_mps2, (), acting)
         sensors.append(replace(sensor, notes=earth_notes(sensor, conditions, site)))
     return result_of(head, sensors, conditions, PROCEDURE, head.notes)
 

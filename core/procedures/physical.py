@@ -6,6 +6,7 @@ import numpy as np
 
 from core.arrays import FloatArray, frozen
 from core.procedures.calibration import Calibration
+from core.procedures.compensation import compensated, has_effects, needs_temperature
 from core.samples.block import Channel
 
 _PREFIX = {"accelerometer": "acc", "gyro": "rate"}
@@ -22,15 +23,20 @@ class Physical:
     matrix : (k, k) input per unit of output
     zero : (k,) output at zero input
     unit : of the input
+    bent : a calibration with effects beyond the linear map, which are taken out too; None where
+        there are none, or where they ask for a temperature
     """
 
     places: tuple[int, ...]
     matrix: FloatArray
     zero: FloatArray
     unit: str
+    bent: Calibration | None = None
 
     def of(self, data: FloatArray) -> FloatArray:
         """Inputs (n, k) from samples (n, c)."""
+        if self.bent is not None:
+            return compensated(self.bent, data[:, self.places])
         return frozen((data[:, self.places] - self.zero) @ self.matrix.T)
 
 
@@ -57,7 +63,9 @@ def physical_of(calibration: Calibration, channels: tuple[Channel, ...]) -> Phys
     else:
         scales = [fit.values[fit.index("scale_factor")] for fit in calibration.fits]
         matrix = np.diag(1.0 / np.array(scales))
-    return Physical(places, frozen(matrix), frozen(zero), _UNITS[calibration.sensor])
+    bent = has_effects(calibration) and not needs_temperature(calibration)
+    unit = _UNITS[calibration.sensor]
+    return Physical(places, frozen(matrix), frozen(zero), unit, calibration if bent else None)
 
 
 def _role(name: str, axis: str, prefix: str) -> str:

@@ -1,22 +1,38 @@
 """A rate-table result as the calibration that exports and reports take."""
 
+from dataclasses import replace
 from datetime import UTC, datetime
 
 import numpy as np
 
 from core.arrays import FloatArray, frozen
+from core.fit.linear import Rows
 from core.fit.result import FitResult
-from core.model.effect import Parameter
+from core.model.effect import Parameter, Sensor
+from core.model.stimulus import stimulus_of
+from core.procedures.added import NOTHING, Added, AddedEffect, with_effects
 from core.procedures.calibration import Calibration, Provenance
 from core.procedures.rate_table import PROCEDURE, RateLine, RateSensor, RateTable
+from core.samples.run import Run
 from core.version import SOFTWARE
 
 
-def calibration_of(found: RateTable) -> Calibration:
+def calibration_of(found: RateTable, run: Run | None = None, added: Added = NOTHING) -> Calibration:
     """Bias, scale factor and, where the unit was re-mounted, cross axes of every sensor.
 
     The bias is the zero in the mounting about the sensor's own axis, with what gravity adds there.
+
+    Parameters
+    ----------
+    found : the fits
+    run : what they were made of; only added effects need it
+    added : effects beyond the line, in the rows about each sensor's own axis
     """
+    effects: tuple[tuple[AddedEffect, ...], ...] = ()
+    if added and run is not None:
+        pairs = [_bent(found, run, sensor, added) for sensor in found.sensors]
+        found = replace(found, sensors=tuple(sensor for sensor, _ in pairs))
+        effects = tuple(acting for _, acting in pairs)
     lines = [line for s in found.sensors for line in (s.line, *s.others)]
     rows = 1 + max((int(line.rows.max()) for line in lines), default=0)
     return Calibration(
@@ -34,7 +50,32 @@ def calibration_of(found: RateTable) -> Calibration:
             software=SOFTWARE,
             computed_utc=datetime.now(UTC).isoformat(timespec="seconds"),
         ),
+        effects=effects,
     )
+
+
+def _bent(
+    found: RateTable, run: Run, sensor: RateSensor, added: Added
+) -> tuple[RateSensor, tuple[AddedEffect, ...]]:
+    """A sensor whose line has further effects in its model."""
+    line, place = sensor.line, run.channels.index(sensor.channel)
+    latitude = found.conditions.latitude_deg
+    stimulus = stimulus_of(
+        run, found.conditions.g_mps2, latitude_deg=latitude if np.isfinite(latitude) else None
+    )
+    se_dof = run.extra.get("se_dof", np.full(len(run), np.inf))[line.rows]
+    y = run.y[line.rows, place] + added.change(sensor.channel, line.rows)
+    fit, acting = with_effects(
+        line.fit,
+        Sensor("gyro", sensor.axis, run.unit),
+        stimulus,
+        Rows(y, run.y_se[line.rows, place], se_dof),
+        found.conditions,
+        added.of(sensor.channel),
+        added.columns,
+        line.rows,
+    )
+    return replace(sensor, line=replace(line, fit=fit)), acting
 
 
 def _whole(sensor: RateSensor, rows: int) -> FitResult:

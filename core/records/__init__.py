@@ -14,7 +14,7 @@ session
     The folder of one test: start document, journal of positions, raw bytes, legacy text.
 calibration_json
     `Calibration` <-> JSON, to the last bit.
-exports, export_c, export_csv, export_mat
+exports, export_c, export_c_effects, export_csv, export_mat
     `EXPORTS`: calibrations for firmware, spreadsheets and MATLAB.
 drift_exports, thermal_exports
     Drift tables and calibrations over temperature for firmware and spreadsheets.

@@ -13,7 +13,9 @@ import numpy as np
 from core.arrays import frozen
 from core.errors import FormatError
 from core.fit.result import FitResult, LackOfFit
+from core.model.catalogue.listing import CATALOGUE
 from core.model.effect import AXES, Parameter
+from core.procedures.added import AddedEffect
 from core.procedures.calibration import Calibration, Provenance
 from core.records.atomic import write_text_atomic
 from core.records.json_fields import (
@@ -75,9 +77,14 @@ def calibration_text(calibration: Calibration) -> str:
         },
         "provenance": provenance_to_json(calibration.provenance),
         "channels": [
-            {"name": name, "axis": axis, "fit": _fit_to_json(fit)}
-            for name, axis, fit in zip(
-                calibration.channels, calibration.axes, calibration.fits, strict=True
+            {
+                "name": name,
+                "axis": axis,
+                "fit": _fit_to_json(fit),
+                **_effects_to_json(calibration, place),
+            }
+            for place, (name, axis, fit) in enumerate(
+                zip(calibration.channels, calibration.axes, calibration.fits, strict=True)
             )
         ],
         "notes": notes_to_json(calibration.notes),
@@ -103,12 +110,14 @@ def parse_calibration(text: str, path: str) -> Calibration:
     if not channels:
         raise document.wrong("channels", "at least one channel", [])
     stated = document.object("conditions")
+    fits = tuple(_fit(channel.object("fit")) for channel in channels)
+    effects = tuple(_effects(channel, fit) for channel, fit in zip(channels, fits, strict=True))
     return Calibration(
         sensor=sensor,
         unit=document.text("unit"),
         channels=tuple(channel.text("name") for channel in channels),
         axes=tuple(_axis(channel) for channel in channels),
-        fits=tuple(_fit(channel.object("fit")) for channel in channels),
+        fits=fits,
         conditions=Conditions(
             **{
                 item.name: stated.number(item.name)
@@ -119,6 +128,7 @@ def parse_calibration(text: str, path: str) -> Calibration:
         temperature_c=document.number("temperature_c"),
         notes=document.notes("notes"),
         provenance=provenance_of_json(document.object("provenance")),
+        effects=effects if any(effects) else (),
     )
 
 
@@ -126,15 +136,17 @@ def equation(calibration: Calibration) -> str:
     """The model in words of the practicum, with the units of its symbols."""
     symbol = "a" if calibration.sensor == "accelerometer" else "w"
     unit = INPUT_UNITS[calibration.sensor]
-    if calibration.is_triad:
+    units = f" U in {calibration.unit}, {symbol} in {unit}"
+    bent = any(one.in_use for own in calibration.effects for one in own)
+    if calibration.is_triad and bent:
         return (
-            f"U = K {symbol} + U0, {symbol} = Q (U - U0), Q = K^-1;"
-            f" U in {calibration.unit}, {symbol} in {unit}"
+            f"U = K {symbol} + U0 + e({symbol}), {symbol} = Q (U - U0 - e({symbol})), Q = K^-1,"
+            f" e the added effects;{units}"
         )
-    return (
-        f"U = U0 + sum of each parameter times its input;"
-        f" U in {calibration.unit}, {symbol} in {unit}"
-    )
+    if calibration.is_triad:
+        return f"U = K {symbol} + U0, {symbol} = Q (U - U0), Q = K^-1;{units}"
+    more = " + e, the added effects" if bent else ""
+    return f"U = U0 + sum of each parameter times its input{more};{units}"
 
 
 def _axis(channel: Fields) -> str:
@@ -163,6 +175,56 @@ def provenance_of_json(found: Fields) -> Provenance:
         (record.text("name"), record.text("sha256")) for record in found.objects("records")
     )
     return Provenance(**{name: found.text(name) for name in _TEXTS}, records=records)
+
+
+def _effects_to_json(calibration: Calibration, place: int) -> dict[str, Json]:
+    """What was added to the plain model of a channel; nothing where nothing was."""
+    if not calibration.effects or not calibration.effects[place]:
+        return {}
+    names = calibration.fits[place].names
+    return {
+        "effects": [
+            {
+                "effect": one.effect,
+                "name": one.name,
+                "equation": one.equation,
+                "shape": [
+                    {"name": name, "value": number_to_json(value), "unit": unit}
+                    for name, value, unit in one.shape
+                ],
+                "parameters": [names[i] for i in one.places],
+                "in_use": one.in_use,
+            }
+            for one in calibration.effects[place]
+        ]
+    }
+
+
+def _effects(channel: Fields, fit: FitResult) -> tuple[AddedEffect, ...]:
+    """What was added to the plain model of a channel."""
+    if "effects" not in channel.data:
+        return ()
+    return tuple(_effect(found, fit) for found in channel.objects("effects"))
+
+
+def _effect(found: Fields, fit: FitResult) -> AddedEffect:
+    identifier = found.text("effect")
+    if identifier not in CATALOGUE:
+        raise found.wrong("effect", "an identifier of the catalogue", identifier)
+    names = found.items("parameters")
+    unknown = [name for name in names if name not in fit.names]
+    if unknown or not names:
+        raise found.wrong("parameters", "names of parameters of the fit", names)
+    return AddedEffect(
+        effect=identifier,
+        name=found.text("name"),
+        equation=found.text("equation"),
+        shape=tuple(
+            (each.text("name"), each.number("value"), each.text("unit"))
+            for each in found.objects("shape")
+        ),
+        places=tuple(fit.index(str(name)) for name in names),
+    )
 
 
 def _fit_to_json(fit: FitResult) -> Json:

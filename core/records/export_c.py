@@ -9,7 +9,9 @@ import unicodedata
 
 from core.model.effect import AXES
 from core.procedures.calibration import Calibration
+from core.procedures.compensation import has_effects
 from core.records.calibration_json import INPUT_UNITS, equation
+from core.records.export_c_effects import effects_text
 from core.records.names import name_in_file
 
 _SHORT = {"accelerometer": "acc", "gyro": "gyro"}
@@ -65,21 +67,31 @@ def _inside(text: str) -> str:
 
 def _parameters(calibration: Calibration, prefix: str) -> list[str]:
     lines: list[str] = []
-    taken: set[str] = set()
-    sensors = zip(calibration.channels, calibration.axes, calibration.fits, strict=True)
-    for place, (channel, axis, fit) in enumerate(sensors, start=1):
-        name = c_name(channel)
-        while name in taken:
-            name = f"{name}_{place}"
-        taken.add(name)
+    names = _channel_names(calibration)
+    sensors = zip(calibration.channels, names, calibration.axes, calibration.fits, strict=True)
+    for place, (channel, name, axis, fit) in enumerate(sensors):
         lines.append(f"/* {_inside(channel)}, input axis {axis or 'unknown'} */")
         for parameter, value, u in zip(fit.parameters, fit.values, fit.stderr, strict=True):
             lines.append(
                 f"static const double {prefix}_{name}_{c_name(parameter.name)} = {_number(value)};"
                 f" /* {_inside(parameter.unit)}, u = {u:.2g} */"
             )
+        for one in calibration.effects[place] if calibration.effects else ():
+            whose = "of the sensor" if one.in_use else "of this test alone"
+            lines.append(f"/* {_inside(f'{one.name}: {one.equation}; {whose}')} */")
         lines.append("")
     return lines
+
+
+def _channel_names(calibration: Calibration) -> tuple[str, ...]:
+    """Channels as parts of C's names, no two alike."""
+    taken: list[str] = []
+    for place, channel in enumerate(calibration.channels, start=1):
+        name = c_name(channel)
+        while name in taken:
+            name = f"{name}_{place}"
+        taken.append(name)
+    return tuple(taken)
 
 
 def _triad(calibration: Calibration, prefix: str) -> list[str]:
@@ -104,6 +116,11 @@ def _triad(calibration: Calibration, prefix: str) -> list[str]:
         "    }",
         "}",
         "",
+        *(
+            effects_text(calibration, prefix, _channel_names(calibration))
+            if has_effects(calibration)
+            else ()
+        ),
     ]
 
 

@@ -56,7 +56,18 @@ def _head(calibration: Calibration) -> list[str]:
             f"computed: {provenance.computed_utc or '-'} by {provenance.software or '-'}",
             *(f"data: {name}, SHA-256 {sha}" for name, sha in provenance.records),
             *(f"{note.severity.value}: {note.text}" for note in calibration.notes),
+            *_effects(calibration),
         )
+    ]
+
+
+def _effects(calibration: Calibration) -> list[str]:
+    """What was added to the plain model of each sensor."""
+    return [
+        f"added to {name}: {one.name}, {one.equation};"
+        f" {'of the sensor' if one.in_use else 'of this test alone'}"
+        for name, own in zip(calibration.channels, calibration.effects, strict=False)
+        for one in own
     ]
 
 

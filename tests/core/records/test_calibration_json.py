@@ -9,6 +9,10 @@ from hypothesis import strategies as st
 
 from core.errors import FormatError, Note, Severity, StorageError
 from core.fit.result import LackOfFit
+from core.model.catalogue.faults import Outlier
+from core.procedures.added import Added
+from core.procedures.compensation import compensated
+from core.procedures.dividing_head import calibrate
 from core.records.calibration_json import (
     calibration_text,
     equation,
@@ -16,6 +20,8 @@ from core.records.calibration_json import (
     read_calibration,
     write_calibration,
 )
+from tests.core.procedures.bent_triad import STATED, bent_run
+from tests.core.procedures.test_added import FOUND
 
 
 def same(one, two, where="calibration"):
@@ -140,3 +146,32 @@ def test_files_that_cannot_be_read_or_written(single, tmp_path):
         read_calibration(tmp_path / "none")
     with pytest.raises(StorageError):
         write_calibration(single, tmp_path / "none" / "a")
+
+
+def test_added_effects_come_back_whole():
+    found = Added((*FOUND.effects, ("acc_z", Outlier(5))))
+    bent = calibrate(bent_run(), STATED, added=found)
+    text = calibration_text(bent)
+    again = parse_calibration(text, "a.cal.json")
+    assert again.effects == bent.effects
+    assert calibration_text(again) == text
+    np.testing.assert_array_equal(compensated(again, bent_run().y), compensated(bent, bent_run().y))
+    document = json.loads(text)
+    first, second = document["channels"][0]["effects"]
+    assert first["effect"] == "second_order_nonlinearity"
+    assert first["parameters"] == ["second_order"]
+    assert (first["in_use"], second["parameters"]) == (True, ["product_yz"])
+    assert "effects" not in document["channels"][1]
+    assert document["channels"][2]["effects"][0]["shape"][0]["value"] == 6.0
+    assert "e(a)" in document["equation"]
+
+
+@pytest.mark.parametrize(
+    ("change", "named"),
+    [({"effect": "magic"}, "catalogue"), ({"parameters": ["magic"]}, "parameters of the fit")],
+)
+def test_effects_that_are_not_there_are_refused(change, named):
+    document = json.loads(calibration_text(calibrate(bent_run(), STATED, added=FOUND)))
+    document["channels"][0]["effects"][0].update(change)
+    with pytest.raises(FormatError, match=named):
+        parse_calibration(json.dumps(document), "a.cal.json")

@@ -4,8 +4,11 @@ from dataclasses import replace
 
 import pytest
 
+from core.procedures.dividing_head import calibrate
 from core.records.export_csv import COLUMNS, csv_text, excel_text
 from core.records.exports import EXPORTS
+from tests.core.procedures.bent_triad import STATED, bent_run
+from tests.core.procedures.test_added import FOUND
 
 
 def rows_of(text, separator):
@@ -52,3 +55,12 @@ def test_the_head_tells_where_it_comes_from(single, write):
         assert part in head
     odd = replace(single, provenance=replace(single.provenance, device="a\nb;c,d"))
     assert all(line.startswith(("#", '"#')) for line in write(odd).splitlines()[:3])
+
+
+def test_added_effects_stand_in_the_head_and_in_the_table():
+    text = csv_text(calibrate(bent_run(), STATED, added=FOUND))
+    assert "# added to acc_x: Second-order nonlinearity K2, k * K2 * x^2; of the sensor" in text
+    row = next(row for row in rows_of(text, ",") if "second_order" in row)
+    assert row[0] == "acc_x"
+    assert row[-1] == "mg/g^2"
+    assert 5.8 < float(row[4]) < 6.2
