@@ -2,6 +2,8 @@
 
 laboratory
     What does not change from one certificate to the next: `Laboratory`, `Standard`; its file.
+laboratory_file
+    ``laboratory.toml``: the same written by hand, and its commented template.
 certificate
     What one certificate states (ISO/IEC 17025:2017, 7.8): `Certificate`, and its JSON twin.
 measured

@@ -120,16 +120,16 @@ def standard_doubts(laboratory: Laboratory, when: str) -> tuple[Note, ...]:
     return tuple(notes)
 
 
-_TEXTS = tuple(item.name for item in fields(Laboratory) if item.name != "standards")
-_OF_STANDARD = tuple(item.name for item in fields(Standard))
+TEXTS = tuple(item.name for item in fields(Laboratory) if item.name != "standards")
+OF_STANDARD = tuple(item.name for item in fields(Standard))
 
 
 def laboratory_to_json(laboratory: Laboratory) -> dict[str, Json]:
     """The laboratory as a JSON object."""
     return {
-        **{name: getattr(laboratory, name) for name in _TEXTS},
+        **{name: getattr(laboratory, name) for name in TEXTS},
         "standards": [
-            {name: getattr(standard, name) for name in _OF_STANDARD}
+            {name: getattr(standard, name) for name in OF_STANDARD}
             for standard in laboratory.standards
         ],
     }
@@ -141,13 +141,24 @@ def laboratory_of_json(found: Fields) -> Laboratory:
     Raises
     ------
     FormatError
-        A member is missing or no text.
+        Members are missing or no texts; all of them are told at once.
     """
+    standards = found.objects("standards") if "standards" in found.data else []
+    parts = ((found, TEXTS), *((one, OF_STANDARD) for one in standards))
+    missing = [f"{one.where}.{name}".lstrip(".") for one, names in parts for name in names
+               if name not in one.data]  # fmt: skip
+    missing += [] if "standards" in found.data else ["standards"]
+    wrong = [one.wrong(name, "a text", one.data[name]).why for one, names in parts for name in names
+             if not isinstance(one.data.get(name, ""), str)]  # fmt: skip
+    if missing:
+        words = ", ".join(missing)
+        wrong.insert(0, f"not stated: {words}; what does not apply stays an empty text")
+    if wrong:
+        raise FormatError(found.path, "; ".join(wrong))
     return Laboratory(
-        **{name: found.text(name) for name in _TEXTS},
+        **{name: found.text(name) for name in TEXTS},
         standards=tuple(
-            Standard(**{name: item.text(name) for name in _OF_STANDARD})
-            for item in found.objects("standards")
+            Standard(**{name: one.text(name) for name in OF_STANDARD}) for one in standards
         ),
     )
 

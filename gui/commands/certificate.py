@@ -1,10 +1,12 @@
 """A calibration certificate as PDF, HTML and JSON from a file of results.
 
     calrig certificate SESSION --laboratory lab.json --order order.toml --out CERTIFICATES
+    calrig certificate --template laboratory.toml
 
 FILE is a session's folder, a run file, a file of the old programs, or a calibration (JSON). The
-laboratory's file is the one that the window keeps, laboratory.json; order.toml holds customer,
-item, surroundings and limits:
+laboratory's file is the one that the window keeps, laboratory.json, or a laboratory.toml that was
+filled in: --template writes one with comments. order.toml holds customer, item, surroundings and
+limits:
 
     [order]
     customer = "Plant No. 5, Kharkiv"
@@ -41,9 +43,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the files, and what the laboratory states."""
     from gui.commands.conditions import add_conditions
 
-    parser.add_argument("file", type=Path, metavar="FILE")
+    parser.add_argument("file", type=Path, nargs="?", metavar="FILE")
     parser.add_argument(
-        "--laboratory", type=Path, required=True, metavar="JSON", help="the laboratory's file"
+        "--laboratory", type=Path, metavar="FILE", help="the laboratory's file, JSON or TOML"
+    )
+    parser.add_argument(
+        "--template", type=Path, metavar="TOML", help="write a laboratory's file to be filled in"
     )
     parser.add_argument("--order", type=Path, metavar="TOML", help="customer, item, limits")
     parser.add_argument("--out", type=Path, default=Path("certificates"), metavar="FOLDER")
@@ -57,15 +62,23 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(args: argparse.Namespace) -> Answer:
     """Process the file, state what is stated, give the number, write everything."""
+    from core.certificates.laboratory_file import open_laboratory, write_template
+    from core.errors import FormatError, StorageError
+
+    if args.template is not None:
+        write_template(args.template)
+        return Answer({"template": args.template}, f"{args.template}: to be filled in")
+    wanted = {"FILE": args.file, "--laboratory": args.laboratory}
+    left_out = [name for name, value in wanted.items() if value is None]
+    if left_out:
+        raise FormatError("certificate", f"give {' and '.join(left_out)}, or --template")
     if sys.platform.startswith("linux"):
         os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
     from core.certificates.certificate import Certificate
-    from core.certificates.laboratory import read_laboratory
     from core.certificates.limits import judge_calibration
     from core.certificates.order_file import OrderFile, read_order
     from core.certificates.register import Register
-    from core.errors import FormatError, StorageError
     from core.procedures.conformity import Verdict
     from gui.certificate.draft import day_of_moment
     from gui.certificate.html import results_html
@@ -74,11 +87,9 @@ def run(args: argparse.Namespace) -> Answer:
     from gui.languages.choice import Languages
     from gui.measured_file import measured_of_file
 
-    if not args.laboratory.exists():
-        raise FormatError(args.laboratory, "is not there; the window keeps it beside the sessions")
     application = application_for_paper()
     languages = Languages(args.language)
-    laboratory = read_laboratory(args.laboratory)
+    laboratory = open_laboratory(args.laboratory)
     stated = OrderFile() if args.order is None else read_order(args.order)
     measured = measured_of_file(args.file, _conditions(args), args.device)
     origin = measured.provenance

@@ -10021,6 +10021,11 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../core/certificates/laboratory.py" />
+            <source>not stated: {words}; what does not apply stays an empty text</source>
+            <translation>не вказано: {words}; що не стосується, лишається порожнім текстом</translation>
+        </message>
+        <message>
+            <location filename="../../core/certificates/laboratory.py" />
             <source>the pattern {number} has no n</source>
             <translation>шаблон {number} не має n</translation>
         </message>
@@ -10031,6 +10036,11 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../core/certificates/laboratory.py" />
+            <source>a text</source>
+            <translation>текст</translation>
+        </message>
+        <message>
+            <location filename="../../core/certificates/laboratory.py" />
             <source>the pattern {number} cannot be filled</source>
             <translation>шаблон {number} неможливо заповнити</translation>
         </message>
@@ -10038,6 +10048,21 @@ Without a command the window opens.</translation>
             <location filename="../../core/certificates/laboratory.py" />
             <source>{name}: no certificate is named, so that nothing can be traced</source>
             <translation>{name}: сертифіката не названо, тож простежити нічого неможливо</translation>
+        </message>
+        <message>
+            <location filename="../../core/certificates/laboratory_file.py" />
+            <source>{path}: is there already, and is not written over; name another file</source>
+            <translation>{path}: вже є і не перезаписується; назвіть інший файл</translation>
+        </message>
+        <message>
+            <location filename="../../core/certificates/laboratory_file.py" />
+            <source>is not there; the window keeps it beside the sessions, and calrig certificate --template laboratory.toml writes one to be filled in</source>
+            <translation>немає; вікно тримає його поруч із сеансами, а calrig certificate --template laboratory.toml пише такий для заповнення</translation>
+        </message>
+        <message>
+            <location filename="../../core/certificates/laboratory_file.py" />
+            <source>not known: {join}; known are {join2}, and of [[standards]] {join3}</source>
+            <translation>невідомо: {join}; відомі {join2}, а для [[standards]] {join3}</translation>
         </message>
         <message>
             <location filename="../../core/certificates/order_file.py" />
@@ -13543,11 +13568,6 @@ Without a command the window opens.</translation>
             <location filename="../../core/records/json_fields.py" />
             <source>damaged JSON: {error}</source>
             <translation>пошкоджений JSON: {error}</translation>
-        </message>
-        <message>
-            <location filename="../../core/records/json_fields.py" />
-            <source>a text</source>
-            <translation>текст</translation>
         </message>
         <message>
             <location filename="../../core/records/json_fields.py" />

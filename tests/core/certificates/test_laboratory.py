@@ -30,6 +30,19 @@ def test_what_is_stated_is_not_asked_for(laboratory: Laboratory):
     assert replace(laboratory, standards=()).missing() == ("standards and their traceability",)
 
 
+def test_all_that_is_missing_is_told_at_once(tmp_path: Path):
+    document = '"schema": "calrig-laboratory", "schema_version": 1, "name": "L", "place": 5'
+    (tmp_path / FILE).write_text(f'{{{document}, "standards": [{{"name": "head"}}]}}', "utf-8")
+    with pytest.raises(FormatError) as told:
+        read_laboratory(tmp_path / FILE)
+    assert told.value.why.startswith(
+        "not stated: address, accreditation, logo, authorised_by, position, number, statement,"
+        " standards[0].serial, standards[0].certificate, standards[0].valid_until,"
+        " standards[0].traceable_to; what does not apply stays an empty text"
+    )
+    assert told.value.why.endswith("place must be a text, found 5")
+
+
 def test_another_file_is_refused_by_name(tmp_path: Path):
     (tmp_path / FILE).write_text('{"schema": "calrig-session"}', encoding="utf-8")
     with pytest.raises(FormatError, match=r"laboratory\.json.*is no calrig-laboratory"):

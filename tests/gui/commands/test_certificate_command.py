@@ -76,11 +76,28 @@ def test_a_limit_that_is_not_kept_ends_with_1(arguments: list[str], tmp_path: Pa
     assert run_command("certificate", [HEAD, *arguments, *order]) == 1
 
 
+def test_a_template_filled_in_is_the_laboratory(tmp_path: Path, capsys: pytest.CaptureFixture[str]):
+    path = tmp_path / "laboratory.toml"
+    assert run_command("certificate", ["--template", str(path)]) == 0
+    assert "to be filled in" in capsys.readouterr().out
+    text = path.read_text("utf-8").replace('name = ""', 'name = "Laboratory Nine"', 1)
+    path.write_text(text, "utf-8")
+    out = tmp_path / "out"
+    stated = ["--laboratory", str(path), "--out", str(out), "--draft"]
+    assert run_command("certificate", [HEAD, *stated]) == 1
+    told = capsys.readouterr().out
+    assert "missing: address of the laboratory" in told
+    assert "missing: name of the laboratory" not in told
+    assert "Laboratory Nine" in (out / "draft.html").read_text("utf-8")
+
+
 def test_what_cannot_be_is_refused(
     arguments: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ):
     assert run_command("certificate", [HEAD, "--laboratory", str(tmp_path / "no.json")]) == REFUSED
     assert "is not there" in capsys.readouterr().err
+    assert run_command("certificate", []) == REFUSED
+    assert "give FILE and --laboratory, or --template" in capsys.readouterr().err
     missing = str(tmp_path / "nothing.txt")
     assert run_command("certificate", [missing, *arguments]) == REFUSED
     assert not (tmp_path / "out").exists()
