@@ -22,6 +22,8 @@ from core.errors import FitError
 _SLOW = 40
 """Cosines of the record below which lines are left to the slow view (twenty periods)."""
 _BINS = 100
+_FEW, _MANY = 100, 800
+"""Ordinates that make a level: in the finest bins, and in those that know it well."""
 _MOST_LINES = 2
 _FREE = 2.3
 """What a free coefficient costs, natural logarithm."""
@@ -160,18 +162,11 @@ def _highest(flat: FloatArray, rate: float) -> tuple[Seen, float, float]:
     power = np.abs(cast(FloatArray, rfft(flat, size))) ** 2 / n
     frequency = np.arange(len(power)) * rate / size
     low = int(np.ceil(0.5 * (_SLOW + 4) / n * size))
-    edges = np.unique(np.geomspace(low, len(power) - 1, _BINS).astype(np.int64))
-    # Bins of too few ordinates have no level of their own.
-    kept = [int(edges[0])]
-    for edge in edges[1:].tolist():
-        if edge - kept[-1] >= 40:
-            kept.append(edge)
-    kept[-1] = len(power) - 1
-    spans = list(pairwise(kept)) or [(low, len(power) - 1)]
-    middle = np.array([0.5 * (a + b) for a, b in spans])
-    level = np.array([float(np.median(power[a:b])) / math.log(2.0) for a, b in spans])
-    level = np.maximum(level, 1e-300)
-    smooth = np.exp(np.interp(np.arange(low, len(power) - 1), middle, np.log(level)))
+    spans, level = _levels(power, low, _FEW)
+    # Few ordinates tell their level badly, many blur it: a line must stand out over both.
+    smooth = np.maximum(
+        _along(power, low, spans, level), _along(power, low, *_levels(power, low, _MANY))
+    )
     ratio = power[low : len(power) - 1] / smooth
     best = int(np.argmax(ratio))
     seen = Seen(
@@ -181,6 +176,34 @@ def _highest(flat: FloatArray, rate: float) -> tuple[Seen, float, float]:
         n,
     )
     return seen, float(frequency[low + best]), float(ratio[best])
+
+
+def _levels(power: FloatArray, low: int, few: int) -> tuple[list[tuple[int, int]], FloatArray]:
+    """Bins of at least so many ordinates from `low` on, and the median level of each."""
+    edges = np.unique(np.geomspace(low, len(power) - 1, _BINS).astype(np.int64))
+    kept = [int(edges[0])]
+    for edge in edges[1:].tolist():
+        if edge - kept[-1] >= few:
+            kept.append(edge)
+    kept[-1] = len(power) - 1
+    spans = list(pairwise(kept)) or [(low, len(power) - 1)]
+    level = np.array([float(np.median(power[a:b])) / math.log(2.0) for a, b in spans])
+    return spans, np.maximum(level, 1e-300)
+
+
+def _along(
+    power: FloatArray, low: int, spans: list[tuple[int, int]], level: FloatArray
+) -> FloatArray:
+    """The level at each ordinate from `low` on: straight lines over both logarithms."""
+    middle = np.log([0.5 * (a + b) for a, b in spans])
+    log = np.log(level)
+    at = np.log(np.arange(low, len(power) - 1))
+    found = np.interp(at, middle, log)
+    if len(spans) > 1:
+        # The noise of a sensor falls with frequency: below the first middle it goes on rising.
+        slope = max((log[0] - log[1]) / (middle[1] - middle[0]), 0.0)
+        found += slope * np.maximum(middle[0] - at, 0.0)
+    return np.exp(found)
 
 
 def _fitted(flat: FloatArray, rate: float, frequency: float, chance: float) -> Line:
