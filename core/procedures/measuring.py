@@ -78,8 +78,12 @@ class Outcome:
     @property
     def acceptable(self) -> bool:
         """Whether nothing forbids taking it as it is."""
-        errors = any(note.severity is Severity.ERROR for note in self.accumulation.notes)
-        return self.recognition.acceptable and not errors
+        return self.recognition.acceptable and self.whole
+
+    @property
+    def whole(self) -> bool:
+        """Whether the accumulation itself is sound, wherever the unit stands."""
+        return not any(note.severity is Severity.ERROR for note in self.accumulation.notes)
 
 
 class Measuring:

@@ -34,6 +34,8 @@ _UNDERWAY_S = 2.0
 """More than what is read and not yet decoded."""
 _PATIENCE_S = 300.0
 """Seconds of the rig in which a step must succeed."""
+_TOLD_BY_NOTHING = "static_positions"
+"""Gyros at rest do not tell one position from another; the operator starts each by hand."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,6 +104,35 @@ def simulate_session(order: Order, folder: Path) -> Run:
     return run
 
 
+def simulate_record(url: str, seconds: float, path: Path) -> None:
+    """Record what the unit on the rig sends while nothing is done to it.
+
+    Parameters
+    ----------
+    url : the rig, e.g. ``sim://cvg25?speed=max&seed=3``
+    seconds : of the rig
+    path : of the recording, ``NAME.calrec``
+
+    Raises
+    ------
+    LinkError
+        The rig cannot be opened, or ends.
+    StorageError
+        The recording cannot be written.
+    """
+    rig = rig_of(url)
+    header = {"port": url, "profile": rig.profile.id, "profile_text": rig.profile.text}
+    reader = Reader(opener(url), make_decoder(rig.profile), RawLog(path, header))
+    end = rig.state.time_s + seconds
+    reader.start()
+    try:
+        while rig.state.time_s < end:
+            for _ in _blocks(url, reader):
+                pass
+    finally:
+        reader.close()
+
+
 def _legacy_key(program: str, plan: Plan) -> str:
     layout = legacy_for(program, plan.test, plan) if program else None
     return layout.id if layout is not None else ""
@@ -128,23 +159,27 @@ def _walk_all(order: Order, session: Session, reader: Reader) -> None:
 def _outcomes(
     order: Order, walk: Measuring, operator: Operator, reader: Reader
 ) -> Iterator[Outcome]:
-    """Yield acceptable outcomes; the caller accepts each before the next is sought."""
+    """Yield what is taken of each step; the caller accepts each before the next is sought."""
     fresh = True
     while (step := walk.status.step) is not None:
         rest_s = operator.goto(step)
-        if fresh:
-            # A new walk knows no position yet: what was sent before the unit came to rest in the
-            # first one would pass for it.
-            _pass_over(order, reader, rest_s)
+        by_hand = order.plan.test == _TOLD_BY_NOTHING
+        if fresh or by_hand:
+            # A walk that knows no position yet would take what was sent before the unit came to
+            # rest for the position itself.
+            _pass_over(order, reader, rest_s + (order.plan.settle_s if by_hand else 0.0))
             fresh = False
-        walk.set_hands_free(True)
+        if by_hand:
+            walk.start()
+        else:
+            walk.set_hands_free(True)
         waited = 0.0
         outcome = None
         while outcome is None:
-            for block in _blocks(order, reader):
+            for block in _blocks(order.url, reader):
                 waited += len(block.index) / block.rate
                 found = walk.feed(block)
-                if found is not None and found.acceptable:
+                if found is not None and (found.acceptable or (by_hand and found.whole)):
                     outcome = found
                     break
                 if found is not None:
@@ -159,14 +194,14 @@ def _pass_over(order: Order, reader: Reader, seconds: float) -> None:
     rig = rig_of(order.url)
     end = rig.state.time_s + seconds + _UNDERWAY_S
     while rig.state.time_s < end:
-        for _ in _blocks(order, reader):
+        for _ in _blocks(order.url, reader):
             pass
 
 
-def _blocks(order: Order, reader: Reader) -> Iterator[SampleBlock]:
+def _blocks(url: str, reader: Reader) -> Iterator[SampleBlock]:
     for event in reader.drain():
         if isinstance(event, SampleBlock):
             yield event
         elif isinstance(event, Ended):
-            raise event.error or LinkError(order.url, "the rig ended")
+            raise event.error or LinkError(url, "the rig ended")
     time.sleep(_PAUSE_S)

@@ -10,7 +10,8 @@ from core.errors import StorageError
 from core.plans.plan import load_plans
 from core.records.open import read_any
 from core.samples.run import Conditions
-from drivers.virtual.session import RAW_NAME, Order, simulate_session
+from drivers.series import read_series
+from drivers.virtual.session import RAW_NAME, Order, simulate_record, simulate_session
 
 PLANS = load_plans()
 STATED = Conditions(g_mps2=9.8106, head_u_arcsec=5.0)
@@ -53,3 +54,17 @@ def test_a_folder_is_never_measured_into_twice(tmp_path: Path) -> None:
     simulate_session(an_order("pointer", "accelerometer_4", "once"), tmp_path / "s")
     with pytest.raises(StorageError, match="already holds a session"):
         simulate_session(an_order("pointer", "accelerometer_4", "again"), tmp_path / "s")
+
+
+def test_gyros_at_rest_are_started_by_hand_in_every_position(tmp_path: Path) -> None:
+    order = replace(an_order("clbdus", "g_sensitivity_4", "gyros"), sensor="gyro")
+    run = simulate_session(order, tmp_path / "s")
+    assert run.test == "static_positions"
+    assert run.head_deg.tolist() == [0.0, 90.0, 180.0, 270.0]
+
+
+def test_a_unit_at_rest_is_recorded_for_as_long_as_asked(tmp_path: Path) -> None:
+    path = tmp_path / RAW_NAME
+    simulate_record("sim://cvg25?speed=max&block=5&name=record", 30.0, path)
+    series = read_series(path)
+    assert 29.0 <= series.n / series.rate < 60.0
