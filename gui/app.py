@@ -176,6 +176,7 @@ class Application(QObject):
             handing.certify,
             handing.read_measured,
             self._why_busy,
+            handing.calibrate_with,
         )
         for place, title in enumerate(TABS):
             module = cast("TabModule", importlib.import_module(TABS[title]))

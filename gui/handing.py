@@ -5,7 +5,8 @@ from pathlib import Path
 
 from core.certificates.measured import Measured
 from core.plans.plan import Plan
-from gui.main_window import CertifyingTab, LoadTab, PlanTab, Tab
+from gui.main_window import CalibratingTab, CertifyingTab, LoadTab, PlanTab, Tab
+from gui.services import Addition
 
 
 class Handing:
@@ -37,6 +38,15 @@ class Handing:
         self._show(tab)
         tab.load(path)
         return True
+
+    def calibrate_with(self, addition: Addition, show: bool) -> bool:
+        """Hand a run with added effects to the tab that calibrates such runs; whether one did."""
+        for tab in self._tabs.values():
+            if isinstance(tab, CalibratingTab) and tab.calibrate_with(addition, show):
+                if show:
+                    self._show(tab)
+                return True
+        return False
 
     def certify(self, measured: Measured) -> None:
         """Hand results to the tab that makes certificates."""

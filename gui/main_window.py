@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from core.plans.plan import Plan, Step
     from gui.devices.view import DevicesView
     from gui.preferences.view import PreferencesView
-    from gui.services import Services
+    from gui.services import Addition, Services
 
 
 class Tab(Protocol):
@@ -71,6 +71,25 @@ class LoadTab(Protocol):
 
     def load(self, path: Path) -> None:
         """Take a file, or a session's folder."""
+        ...
+
+
+@runtime_checkable
+class CalibratingTab(Protocol):
+    """A tab that calibrates, and takes effects into its models."""
+
+    def calibrate_with(self, addition: "Addition", show: bool) -> bool:
+        """Calibrate a run with further effects.
+
+        Parameters
+        ----------
+        addition : the run and the effects
+        show : take a run that is not on the page too
+
+        Returns
+        -------
+        False if its tests are others, or the page shows something else.
+        """
         ...
 
 

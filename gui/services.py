@@ -7,11 +7,34 @@ from pathlib import Path
 from core.certificates.measured import Measured
 from core.errors import FormatError
 from core.plans.plan import Plan
+from core.procedures.added import Added
+from core.samples.run import Run
 from drivers.profile import Profile
 from gui.devices.connection import Connection
 from gui.jobs import Jobs
 from gui.messages import Messages
 from gui.settings import Settings
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Addition:
+    """A run whose model is to have further effects.
+
+    Parameters
+    ----------
+    run : the rows
+    paths : session's folder or files that they came from
+    added : the effects; none for the plain model again
+    """
+
+    run: Run
+    paths: tuple[Path, ...]
+    added: Added
+
+
+def _nobody(_: Addition, __: bool) -> bool:
+    """No tab calibrates."""
+    return False
 
 
 def _no_tab(_: Plan) -> bool:
@@ -58,6 +81,9 @@ class Services:
     certify : hands results to the tab that makes certificates, and shows that tab
     read_measured : returns what a file holds, processed; raises `LabError`
     why_busy : returns why the ports cannot be let go of now; empty if they can
+    calibrate_with : hands a run with added effects to the tab that calibrates such runs; if told
+        so it shows that tab, else only a page that shows this run is renewed; returns whether a
+        tab took it
     """
 
     connection: Connection
@@ -72,3 +98,4 @@ class Services:
     certify: Callable[[Measured], None] = _no_certificates
     read_measured: Callable[[Path], Measured] = _no_reader
     why_busy: Callable[[], str] = _never_busy
+    calibrate_with: Callable[[Addition, bool], bool] = _nobody

@@ -5,6 +5,7 @@ tab               the tab put together
 presenter         clicks in, `StoryState` out
 state             everything that the tab shows
 working           the work of a job: reading, finding, adding, simulating; needs no Qt
+handed            a story -> effects for the tabs that calibrate
 ladder_rows       a story -> rungs of the ladder, regressors
 cards             a story -> proposals, next measurements, what the plan can show
 scene             buttons, the judgement, the tab without a run

@@ -18,6 +18,7 @@ from gui.discrepancy.cards import (
     measurements_of,
     proposals_of,
 )
+from gui.discrepancy.handed import addition_of
 from gui.discrepancy.ladder_rows import regressors_of, rungs_of
 from gui.discrepancy.picture import picture_of, where_of
 from gui.discrepancy.scene import actions_of, empty_state, judgement_of
@@ -27,6 +28,7 @@ from gui.discrepancy.working import Story, added, all_added, opened, played, sea
 from gui.jobs import Jobs
 from gui.measuring.loading import Choice, mounts_asked
 from gui.messages import Messages
+from gui.services import Addition
 from gui.widgets.states import ActionBarState, BannerAction, BannerState
 
 SOURCE = "discrepancy"
@@ -41,6 +43,7 @@ class DiscrepancyPresenter(QObject):
     jobs : reads and computes
     messages : where refused files are told
     open_plan : hands a plan to the tab that measures it; returns whether one took it
+    calibrate_with : hands the run with its effects to the tab that calibrates it; see `Services`
     settings : of the search
     """
 
@@ -53,6 +56,7 @@ class DiscrepancyPresenter(QObject):
         jobs: Jobs,
         messages: Messages,
         open_plan: Callable[[Plan], bool],
+        calibrate_with: Callable[[Addition, bool], bool],
         settings: Settings | None = None,
         parent: QObject | None = None,
     ) -> None:
@@ -60,6 +64,7 @@ class DiscrepancyPresenter(QObject):
         self._jobs = jobs
         self._messages = messages
         self._open_plan = open_plan
+        self._calibrate_with = calibrate_with
         self._settings = Settings() if settings is None else settings
         self._story: Story | None = None
         self._before: list[Story] = []
@@ -77,6 +82,7 @@ class DiscrepancyPresenter(QObject):
             "all": self.add_all,
             "undo": self.undo,
             "play": self.play,
+            "calibrate": self.calibrate,
         }
         self._phase.connect(self._on_phase, Qt.ConnectionType.QueuedConnection)
         messages.action.connect(self._on_action)
@@ -155,15 +161,20 @@ class DiscrepancyPresenter(QObject):
 
     def undo(self) -> None:
         """Take the last addition back."""
-        if self._before and not self._busy:
+        if self._before and not self._busy and self._story is not None:
+            old = self._story
             self._show(self._before.pop())
+            self._renew(old)
 
     def undo_from(self, number: int) -> None:
         """Take back a rung and all above it."""
+        old = self._story
         while self._before and not self._busy and self._story is not None:
             if len(self._story.told.steps) < number:
                 break
             self._show(self._before.pop())
+        if old is not None:
+            self._renew(old)
 
     def play(self) -> None:
         """Play the same rows with the model and its noise, or take them away again."""
@@ -174,6 +185,16 @@ class DiscrepancyPresenter(QObject):
         else:
             self._again = None
         self._tell()
+
+    def calibrate(self) -> None:
+        """Hand the run with its effects to the tab that calibrates it, and show that tab."""
+        story = self._story
+        if story is None or self._busy:
+            return
+        self._messages.clear(SOURCE)
+        if not self._calibrate_with(addition_of(story), True):
+            what = QCoreApplication.translate("Discrepancy", "No tab calibrates this run")
+            self._messages.show(SOURCE, BannerState(Severity.WARNING, what))
 
     def choose(self, effect: str) -> None:
         """Look at another candidate."""
@@ -278,6 +299,14 @@ class DiscrepancyPresenter(QObject):
         elif len(story.told.steps) != len(old.told.steps):
             self._before.append(old)
         self._show(story)
+        if old is not None and self._before and old.run is story.run:
+            self._renew(old)
+
+    def _renew(self, old: Story) -> None:
+        """A page of results that shows this run follows what is added and taken back."""
+        story = self._story
+        if story is not None and len(story.told.steps) != len(old.told.steps):
+            self._calibrate_with(addition_of(story), False)
 
     def _show(self, story: Story) -> None:
         self._story = story

@@ -68,6 +68,13 @@ def actions_of(
                 why_not=nothing,
             ),
             ActionItem(
+                "calibrate",
+                QCoreApplication.translate("Discrepancy", "Use in Calibration"),
+                "F7",
+                enabled=able and ladder,
+                why_not=nothing,
+            ),
+            ActionItem(
                 "load",
                 QCoreApplication.translate("ActionBar", "Load Data"),
                 "Ctrl+O",

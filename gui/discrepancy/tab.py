@@ -19,7 +19,11 @@ class DiscrepancyTab(QObject):
     def __init__(self, services: Services) -> None:
         super().__init__()
         self.presenter = DiscrepancyPresenter(
-            services.jobs, services.messages, services.open_plan, parent=self
+            services.jobs,
+            services.messages,
+            services.open_plan,
+            services.calibrate_with,
+            parent=self,
         )
         self.view = DiscrepancyView(self.presenter)
         self.exporting = Exporting(

@@ -10,6 +10,7 @@ from core.arrays import FloatArray
 from core.errors import FitError, Note, Severity, StorageError
 from core.fit.result import FitResult
 from core.plans.orientation import BaseOrientation
+from core.procedures.added import NOTHING, Added
 from core.procedures.calibration import Calibration
 from core.procedures.dividing_head import calibrate
 from core.records.calibration_json import write_calibration
@@ -26,9 +27,12 @@ from gui.dividing_head.tables import (
     parameter_table,
     residuals,
 )
+from gui.measuring.added_table import added_names, added_table
+from gui.measuring.bending import source_of
 from gui.measuring.loading import Choice, load
 from gui.measuring.nominal import FILE
 from gui.measuring.page import Part, ResultsPage
+from gui.services import Addition
 from gui.widgets.states import MatrixState, TableState
 
 
@@ -105,8 +109,13 @@ def of_session(
     if rows is not None:
         run = run.rows(rows)
     state = _results(run, settings.conditions(), Stand.of(run, settings), record.folder.name)
+    return _kept(state, record.folder)
+
+
+def _kept(state: HeadResult, folder: Path) -> HeadResult:
+    """The result, its calibration left in the session's folder."""
     try:
-        write_calibration(state.calibration, record.folder / FILE)
+        write_calibration(state.calibration, folder / FILE)
     except StorageError as error:
         note = Note(Severity.WARNING, "not_kept", f"the calibration was not kept: {error}")
         page = replace(state.page, parts=(note, *state.page.parts))
@@ -117,6 +126,15 @@ def of_session(
 def of_run(run: Run, source: str, settings: HeadSettings) -> HeadResult:
     """Calibrate a run with what is on the screen."""
     return _results(run, settings.conditions(), Stand.of(run, settings), source)
+
+
+def of_addition(addition: Addition, settings: HeadSettings, kept: Path | None) -> HeadResult:
+    """Calibrate a run with further effects; `kept` is the session's folder, None for files."""
+    run, stated = addition.run, settings.conditions()
+    conditions = stated if kept is not None else _stated(run.conditions, stated)
+    source = source_of(addition.paths)
+    state = _results(run, conditions, Stand.of(run, settings), source, addition.added)
+    return state if kept is None else _kept(state, kept)
 
 
 def of_file(
@@ -152,8 +170,10 @@ def of_file(
     return _results(run, conditions, Stand.of(run, settings), path.name)
 
 
-def _results(run: Run, conditions: Conditions, stand: Stand, source: str) -> HeadResult:
-    calibration = calibrate(run, conditions, stand.base, stand.tilter_deg)
+def _results(
+    run: Run, conditions: Conditions, stand: Stand, source: str, added: Added = NOTHING
+) -> HeadResult:
+    calibration = calibrate(run, conditions, stand.base, stand.tilter_deg, added)
     source_file, sha256 = run.meta.get("source"), run.meta.get("source_sha256")
     if not calibration.provenance.records and source_file and sha256:
         calibration = replace(
@@ -171,12 +191,20 @@ def _results(run: Run, conditions: Conditions, stand: Stand, source: str) -> Hea
     parts: list[Part] = (
         [*in_matrices, *notes, plot, parameters] if in_matrices else [parameters, *notes, plot]
     )
+    bent = added_table(calibration)
+    if bent is not None:
+        parts.insert(0, bent)
     parts += [derived_table(calibration), measured_table(calibration, run)]
     check = attitude_table(calibration, run, stand.base, stand.tilter_deg)
     if check is not None:
         parts.append(check)
     return HeadResult(
-        page=ResultsPage(f"{run.device}, {len(run)} positions", source, tuple(parts)),
+        page=ResultsPage(
+            f"{run.device}, {len(run)} positions",
+            source,
+            tuple(parts),
+            effects=added_names(calibration),
+        ),
         mg_per_unit=_mg_per_unit(calibration),
         calibration=calibration,
         run=run,
@@ -200,7 +228,11 @@ def _mg_per_unit(calibration: Calibration) -> Mapping[str, float]:
 
 def _sensitivity(fit: FitResult) -> float:
     """Change of output per unit of input in the steepest direction."""
-    slopes = [v for n, v in zip(fit.names, fit.values.tolist(), strict=True) if n != "bias"]
+    slopes = [
+        value
+        for name, value in zip(fit.names, fit.values.tolist(), strict=True)
+        if name == "scale_factor" or name.startswith("cross_axis_")
+    ]
     return float(np.linalg.norm(slopes))
 
 

@@ -8,16 +8,17 @@ from PySide6.QtCore import QObject
 from core.certificates.measured import Measured, measured_of
 from core.records.session.record import SessionRecord
 from core.samples.run import Run
-from gui.dividing_head.processing import HeadResult, of_file, of_run, of_session
+from gui.dividing_head.processing import HeadResult, of_addition, of_file, of_run, of_session
 from gui.dividing_head.settings import HeadSettings
 from gui.jobs import Jobs, Work
+from gui.measuring.bending import BendingResults, source_of
 from gui.measuring.printed import printed_of
-from gui.measuring.results import Results
 from gui.messages import Messages
+from gui.services import Addition
 from gui.widgets.states import TableState
 
 
-class HeadResults(Results):
+class HeadResults(BendingResults):
     """Calibrations of accelerometers.
 
     Parameters
@@ -49,20 +50,29 @@ class HeadResults(Results):
 
     def clear(self) -> None:
         """Close the page."""
-        self.state, self._loaded = None, None
+        self.state = self._loaded = self.addition = None
         super().clear()
 
     def process_session(
         self, record: SessionRecord, settings: HeadSettings, rows: Sequence[int] | None
     ) -> None:
         """Calibrate a session, or some of its rows; with the g that is on the screen."""
+        self.addition = None
         self.start(lambda: of_session(record, settings, rows))
 
     def process_again(self, settings: HeadSettings) -> None:
         """Calibrate the loaded run anew, with what is on the screen now."""
-        if self._loaded is not None:
+        if self.addition is not None:
+            self.start(self.work_with(self.addition, settings, None))
+        elif self._loaded is not None:
             run, source = self._loaded
             self.start(lambda: of_run(run, source, settings))
+
+    def work_with(self, addition: Addition, settings: HeadSettings, kept: Path | None) -> Work:
+        """The work that calibrates a run with further effects."""
+        if kept is None:
+            self._loaded = addition.run, source_of(addition.paths)
+        return lambda: of_addition(addition, settings, kept)
 
     def load(self, path: Path, settings: HeadSettings) -> None:
         """Read a session's folder, a run file or a legacy file, and calibrate it."""
@@ -80,6 +90,7 @@ class HeadResults(Results):
                 self.state = result
                 self.live_scale = result.mg_per_unit
                 if loaded:
+                    self.addition = None
                     self._loaded = (result.run, result.page.source)
                     self.conditions_found.emit(result.calibration.conditions)
             case TableState() if self.state is not None:

@@ -23,6 +23,8 @@ taking            what becomes of an accumulation: taken, doubted, taken back
 cues              the large line of the stage and the banner of a doubtful position
 resuming          unfinished sessions
 results           `Results`: Load Data, Process Data
+bending           `BendingResults`: calibrated with effects that Model vs data added
+added_table       those effects as a table
 loading           files of any kind, and what to ask where they leave a choice
 page              the results page as plain data
 printed           its parts as JSON and back, for certificates

@@ -1,6 +1,6 @@
 """The results page of any test, as plain data."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from core.errors import Note
 from gui.widgets.states import MatrixState, ResidualState, TableState
@@ -41,11 +41,13 @@ class ResultsPage:
     title : device and number of rows
     source : session or file
     parts : in the order of reading
+    effects : names of what was added to the plain model, each with its output
     """
 
     title: str
     source: str
     parts: tuple[Part, ...]
+    effects: tuple[str, ...] = field(default=(), kw_only=True)
 
     @property
     def notes(self) -> tuple[Note, ...]:

@@ -38,6 +38,8 @@ class ResultsView(QWidget):
     format_chosen = Signal(str)
     explain_requested = Signal()
     """The model of the page is to be compared with its rows."""
+    take_out_requested = Signal()
+    """The page is to be made without the added effects."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -66,6 +68,15 @@ class ResultsView(QWidget):
         head.addWidget(self.explain)
         head.addWidget(self.certificate)
         head.addWidget(self._close)
+        self._with, self.take_out = WordLabel(), QPushButton()
+        self._with.setWordWrap(True)
+        self.take_out.clicked.connect(self.take_out_requested)
+        self._bent = QWidget()
+        row = QHBoxLayout(self._bent)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.addWidget(self._with, 1)
+        row.addWidget(self.take_out)
+        self._bent.hide()
         self._page = QWidget()
         self._column = QVBoxLayout(self._page)
         self._column.setContentsMargins(0, 0, unit // 2, unit)
@@ -87,6 +98,7 @@ class ResultsView(QWidget):
         column.setContentsMargins(unit, unit // 2, unit // 2, unit // 2)
         column.setSpacing(unit // 2)
         column.addLayout(head)
+        column.addWidget(self._bent)
         column.addWidget(scroll, 1)
         column.addLayout(foot)
         self._retranslate()
@@ -100,6 +112,7 @@ class ResultsView(QWidget):
         self._title.setText(state.title)
         self._source.setText(state.source)
         self._source.setToolTip(state.source)
+        self._name_effects()
         while item := self._column.takeAt(0):
             if (old := item.widget()) is not None:
                 old.hide()
@@ -107,6 +120,12 @@ class ResultsView(QWidget):
         for part in state.parts:
             self._column.addWidget(_VIEWS[type(part)](part, self.fontMetrics().height()))
         self._column.addStretch(1)
+
+    def _name_effects(self) -> None:
+        effects = () if self._state is None else self._state.effects
+        self._bent.setVisible(bool(effects))
+        names = "; ".join(shown(name) for name in effects)
+        self._with.setText(self.tr("With: {effects}").format(effects=names))
 
     def set_formats(self, formats: tuple[tuple[str, str], ...]) -> None:
         """Offer these formats: keys and titles."""
@@ -139,6 +158,9 @@ class ResultsView(QWidget):
         self._close.setAccessibleName(self._close.toolTip())
         self.explain.setText(self.tr("Model vs data"))
         self.explain.setToolTip(self.tr("Compare the model with the rows: find out what it lacks"))
+        self.take_out.setText(self.tr("Take Out"))
+        self.take_out.setToolTip(self.tr("Calibrate by the plain model again"))
+        self._name_effects()
         for place, title in enumerate(self._titles):
             self._formats.setItemText(place, shown(title))
         self._formats.setAccessibleName(self.tr("Export format"))

@@ -13,6 +13,7 @@ from core.plans.plan import Plan, Step, load_plans
 from core.procedures.measuring import Phase
 from core.records.session.find import Unfinished, unfinished
 from gui.measuring.bench import Bench
+from gui.measuring.bending import BendingResults
 from gui.measuring.exporting import ExportFormat, Exporting
 from gui.measuring.guide import Guide, S
 from gui.measuring.presenter import MeasuringPresenter
@@ -24,7 +25,7 @@ from gui.measuring.site import SECTION, Site, site_of
 from gui.measuring.sitting import Sitting
 from gui.measuring.taking import Taking
 from gui.measuring.view import MeasuringView
-from gui.services import Services
+from gui.services import Addition, Services
 
 OWN_PLANS = "plans"
 """Folder of the user's own plans, under that of all sessions."""
@@ -89,6 +90,7 @@ class MeasuringTab(Generic[S], QObject):
         results.changed.connect(self._on_results)
         self.view.results.closed.connect(results.clear)
         self.view.results.explain_requested.connect(self._on_explain)
+        self.view.results.take_out_requested.connect(self._on_take_out)
         self.view.results.explain.setVisible(bool(EXPLAINED.intersection(guide.tests)))
         self.view.results.certificate_requested.connect(self._on_certificate)
         self.view.results.set_formats(self.exporting.formats)
@@ -149,6 +151,23 @@ class MeasuringTab(Generic[S], QObject):
             stated = {k: v for k, v in site.to_section().items() if k in known}
             self.presenter.set_settings(replace(settings, **stated))
 
+    def calibrate_with(self, addition: Addition, show: bool) -> bool:
+        """Calibrate a run with further effects; False if the run is of another kind of test.
+
+        Parameters
+        ----------
+        addition : the run and the effects
+        show : take it also where the page shows something else
+        """
+        results = self.results
+        if addition.run.test not in self.guide.tests or not isinstance(results, BendingResults):
+            return False
+        here = results.page is not None and self._source() in addition.paths
+        if not (show or here):
+            return False
+        results.add_effects(addition, self.sitting.settings, self._bench_folder())
+        return True
+
     def close(self) -> None:
         """Leave the session on the disk, to be continued."""
         self.taking.stop()
@@ -205,9 +224,20 @@ class MeasuringTab(Generic[S], QObject):
     def _on_file(self, name: str) -> None:
         self.load(Path(name))
 
-    def _on_explain(self) -> None:
+    def _bench_folder(self) -> Path | None:
         session = self.sitting.keeper.session
-        path = self.results.source_path or (None if session is None else session.folder)
+        return None if session is None else session.folder
+
+    def _source(self) -> Path | None:
+        """Folder or file that the page is made of."""
+        return self.results.source_path or self._bench_folder()
+
+    def _on_take_out(self) -> None:
+        if isinstance(self.results, BendingResults):
+            self.results.take_out(self.sitting.settings, self._bench_folder())
+
+    def _on_explain(self) -> None:
+        path = self._source()
         if path is not None:
             self._services.open_file(MODEL_VS_DATA, path)
 

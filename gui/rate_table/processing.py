@@ -8,6 +8,7 @@ import numpy as np
 
 from core.errors import FitError, Note, Severity, StorageError
 from core.fit.estimate import Estimate
+from core.procedures.added import NOTHING, Added
 from core.procedures.calibration import Calibration
 from core.procedures.g_sensitivity import GSensitivity, fit_g_sensitivity
 from core.procedures.rate_and_head import fit_rate_and_head
@@ -15,9 +16,9 @@ from core.procedures.rate_calibration import calibration_of
 from core.procedures.rate_table import RateTable, calibrate_rate_table
 from core.procedures.two_files import Pair, Table37, calibrated_by_3_10, compare_runs
 from core.records.calibration_json import write_calibration
-from core.records.session.record import SessionRecord
 from core.samples.run import Conditions, Run
 from core.units import DPH_PER_DPS
+from gui.measuring.added_table import added_names, added_table
 from gui.measuring.loading import Choice, load
 from gui.measuring.nominal import FILE
 from gui.measuring.page import Part, ResultsPage
@@ -37,6 +38,12 @@ from gui.rate_table.tables import (
 )
 
 _NEGATIVE = "negative_scale_factor"
+_ALONE = Note(
+    Severity.INFO,
+    "apart",
+    "table and head run are not fitted together while effects are added: they were found in one of"
+    " them alone",
+)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -86,6 +93,7 @@ class Work:
     table, head : runs that are there from before
     settings : of the operator
     same_unit : the operator's word that table and head run are of one unit
+    added : effects beyond the plain model of the run that came last
     """
 
     latest: Measured
@@ -93,6 +101,7 @@ class Work:
     head: Measured | None
     settings: RateSettings
     same_unit: bool = False
+    added: Added = NOTHING
 
     def result(self) -> RateResult:
         """Fit what is there; raises `FitError`."""
@@ -101,11 +110,11 @@ class Work:
         return _Fitted(self, table, head).result()
 
 
-def of_session(record: SessionRecord, work: Work) -> RateResult:
+def of_session(folder: Path, work: Work) -> RateResult:
     """Process a session; its calibration is kept in its folder."""
     result = work.result()
     try:
-        write_calibration(result.calibration, record.folder / FILE)
+        write_calibration(result.calibration, folder / FILE)
     except StorageError as error:
         note = Note(Severity.WARNING, "not_kept", f"the calibration was not kept: {error}")
         result = replace(result, page=replace(result.page, parts=(note, *result.page.parts)))
@@ -182,13 +191,17 @@ class _Fitted:
         if self._joint is not None:
             calibration = self._joint.calibration()
         elif latest.run.test == ON_TABLE and self._rates is not None:
-            calibration = calibration_of(self._rates)
+            calibration = calibration_of(self._rates, latest.run, self._work.added)
         elif self._at_rest is not None:
             calibration = self._at_rest.calibration()
         else:
             raise FitError("there is nothing to process")
+        parts = self._parts()
+        bent = added_table(calibration)
+        if bent is not None:
+            parts.insert(0, bent)
         return RateResult(
-            page=ResultsPage(title, latest.source, tuple(self._parts())),
+            page=ResultsPage(title, latest.source, tuple(parts), effects=added_names(calibration)),
             table=self._table,
             head=self._head,
             latest=latest,
@@ -203,7 +216,8 @@ class _Fitted:
     def _fit_head(self, run: Run, slopes: Mapping[str, Estimate]) -> GSensitivity:
         settings = self._work.settings
         conditions = _stated(run.conditions, settings.conditions())
-        return fit_g_sensitivity(run, conditions, settings.site(), slopes)
+        added = self._work.added if run is self._work.latest.run else NOTHING
+        return fit_g_sensitivity(run, conditions, settings.site(), slopes, added)
 
     def _compare(self) -> None:
         if self._rates is None or self._at_rest is None:
@@ -221,6 +235,8 @@ class _Fitted:
     def _fit_both(self) -> GSensitivity | None:
         """(3.3) of both runs, where they are of one unit."""
         if self._table is None or self._head is None or not self._pairs or self.refused:
+            return None
+        if self._work.added:
             return None
         settings = self._work.settings
         return fit_rate_and_head(
@@ -260,6 +276,8 @@ class _Fitted:
             parts = [*joint, *parts, table_3_7(tables), table_3_7_plot(tables)]
         else:
             pair_notes = [note for pair in self._pairs.values() for note in pair.notes]
+            if self._work.added and self._pairs:
+                pair_notes.append(_ALONE)
             parts = [*pair_notes, *parts]
         return _without_repeats(parts)
 
@@ -274,9 +292,12 @@ class _Fitted:
             *notes,
             error_plot(rates),
             straightness_table(rates),
-            parameter_table(calibration_of(rates)),
+            parameter_table(calibration_of(rates, table.run, self._added_to(table))),
             measured_table(rates, table.run),
         ]
+
+    def _added_to(self, one: Measured) -> Added:
+        return self._work.added if one is self._work.latest else NOTHING
 
     def _of_head(self) -> list[Part]:
         found, head = self._at_rest, self._head

@@ -11,19 +11,20 @@ from core.errors import Severity
 from core.records.session.record import SessionRecord
 from gui.jobs import Jobs
 from gui.jobs import Work as JobWork
+from gui.measuring.bending import BendingResults, source_of
 from gui.measuring.printed import printed_of
-from gui.measuring.results import Results
 from gui.messages import Messages
 from gui.rate_table.processing import Measured as MeasuredRun
 from gui.rate_table.processing import RateResult, Work, of_file, of_session
 from gui.rate_table.settings import RateSettings
+from gui.services import Addition
 from gui.widgets.states import BannerAction, BannerState
 
 SAME = BannerAction("same unit", "They are one unit")
 FORGET = BannerAction("forget", "Leave the other one out")
 
 
-class RateResults(Results):
+class RateResults(BendingResults):
     """Table runs and head runs; one of each is remembered, so that both can be used together.
 
     Parameters
@@ -59,7 +60,7 @@ class RateResults(Results):
 
     def clear(self) -> None:
         """Close the page; the runs stay, to be used with the next one."""
-        self.state = None
+        self.state = self.addition = None
         self._messages.clear(self._asking)
         super().clear()
 
@@ -72,15 +73,27 @@ class RateResults(Results):
         def work() -> RateResult:
             run = record.run()
             run = run if rows is None else run.rows(rows)
-            return of_session(record, self._of(MeasuredRun(run, record.folder.name), settings))
+            latest = MeasuredRun(run, record.folder.name)
+            return of_session(record.folder, self._of(latest, settings))
 
+        self.addition = None
         self.start(work)
 
     def process_again(self, settings: RateSettings) -> None:
         """Process the runs anew, with what is on the screen now."""
         if self.state is not None:
             self._settings = settings
-            self.start(self._of(self.state.latest, settings).result)
+            work = self._of(self.state.latest, settings)
+            if self.addition is not None:
+                work = replace(work, added=self.addition.added)
+            self.start(work.result)
+
+    def work_with(self, addition: Addition, settings: RateSettings, kept: Path | None) -> JobWork:
+        """The work that calibrates a run with further effects."""
+        self._settings = settings
+        latest = MeasuredRun(addition.run, source_of(addition.paths))
+        work = replace(self._of(latest, settings), added=addition.added)
+        return work.result if kept is None else lambda: of_session(kept, work)
 
     def load(self, path: Path, settings: RateSettings) -> None:
         """Read a session's folder, a run file or a legacy file, and process it."""
@@ -100,6 +113,7 @@ class RateResults(Results):
         self._table, self._head = result.table, result.head
         self.live_scale = result.dph_per_unit or self.live_scale
         if loaded:
+            self.addition = None
             self.conditions_found.emit(result.latest.run.conditions)
         if result.refused:
             self._messages.show(
