@@ -14,7 +14,7 @@ from core.discrepancy.bank import Bank
 from core.discrepancy.curves import Curve, Regressor, regressors_of
 from core.discrepancy.floor import Floor
 from core.discrepancy.problem import Problem
-from core.discrepancy.relabels import Relabels
+from core.discrepancy.relabels import Relabelling, Relabels, relabellings_of
 from core.discrepancy.search import Scored, Search
 from core.discrepancy.settings import Settings
 from core.discrepancy.slots import Slot, State
@@ -49,13 +49,14 @@ class Engine:
     @classmethod
     def of(cls, problem: Problem, settings: Settings) -> "Engine":
         """Prepare a run; what is found in a first round is left out of the noise."""
-        problem, bank, gross = _gross(problem, settings)
-        first = under(problem, settings, bank, Floor.of(problem, settings, gross))
+        made = relabellings_of(problem)
+        problem, bank, gross = _gross(problem, settings, made)
+        first = under(problem, settings, bank, Floor.of(problem, settings, gross), made=made)
         state, _ = first.search.run()
         if {slot.key for slot in state.slots} == {slot.key for slot in gross}:
             return calibrated(first)
         second = Floor.of(problem, settings, state.slots)
-        return calibrated(under(problem, settings, bank, second))
+        return calibrated(under(problem, settings, bank, second, made=made))
 
     def found(self, forced: tuple[Slot, ...] = ()) -> tuple[State, Scored | None]:
         """The best set of effects that holds the forced ones."""
@@ -67,7 +68,9 @@ class Engine:
         return (above + 1.0) / (len(self.top) + 1.0)
 
 
-def _gross(problem: Problem, settings: Settings) -> tuple[Problem, Bank, tuple[Slot, ...]]:
+def _gross(
+    problem: Problem, settings: Settings, made: tuple[Relabelling, ...]
+) -> tuple[Problem, Bank, tuple[Slot, ...]]:
     """What stands out by far under the stated noise, and the problem without what it bent.
 
     Rows that mean something else than they say make a mockery of the replicates, and bend the
@@ -77,7 +80,8 @@ def _gross(problem: Problem, settings: Settings) -> tuple[Problem, Bank, tuple[S
     right = problem
     while True:
         bank = Bank.of(right)
-        search = under(right, settings, bank, Floor.stated(right, settings)).search
+        floor = Floor.stated(right, settings)
+        search = under(right, settings, bank, floor, (), made).search  # names alone
         found = search.gross(search.state(relabelled)).slots
         further = tuple(slot for slot in found if not slot.raw.shape[1])
         if len(further) == len(relabelled):
@@ -92,15 +96,19 @@ def under(
     bank: Bank,
     floor: Floor,
     regressors: tuple[Regressor, ...] | None = None,
+    made: tuple[Relabelling, ...] | None = None,
 ) -> Engine:
-    """A run under a noise floor, without the threshold; `regressors` other than those of a run."""
+    """A run under a noise floor, without the threshold; `regressors` other than those of a run.
+
+    `made` are its relabellings, where they are there already.
+    """
     space = floor.space(problem.design())
     if regressors is None:
         regressors = regressors_of(problem, np.sqrt(np.diag(floor.covariance)))
     search = Search(
         problem=problem,
         bank=bank.in_space(space),
-        relabels=Relabels.of(problem, space),
+        relabels=Relabels.of(problem, space, relabellings_of(problem) if made is None else made),
         curves=tuple(Curve.of(one, space) for one in regressors),
         doubts={},
         curve_doubts=(0.0,) * len(regressors),

@@ -16,23 +16,27 @@ def smallest_of(engine: Engine) -> tuple[Smallest, ...]:
     """By name, the size at which 8 sigmas of an effect are visible, and what looks the same."""
     projected, bank = engine.search.bank, engine.bank
     problem = engine.problem
-    none = np.zeros((len(problem.y), 0))
-    found: list[Smallest] = []
-    for number, name in enumerate(bank.names):
+    squares = np.sum(projected.columns**2, axis=0)
+    sums = np.add.reduceat(squares, bank.first) if len(squares) else squares
+    typical: list[tuple[int, int, float]] = []
+    for number in range(len(bank.names)):
         own = np.flatnonzero((bank.name == number) & projected.seen)
-        if not len(own):
-            continue
-        blocks = [projected.columns[:, bank.block(int(i))] for i in own]
-        visible = np.array([math.sqrt(float(np.sum(b**2)) / b.shape[1]) for b in blocks])
-        middle = int(np.argsort(visible)[len(visible) // 2])
-        instance = bank.instances[int(own[middle])]
-        column = blocks[middle][:, 0]
-        explained, _ = projected.explained(column, none)
-        same = explained > _ALIAS * float(column @ column)
+        if len(own):
+            visible = np.sqrt(sums[own] / bank.count[own])
+            middle = int(np.argsort(visible)[len(visible) // 2])
+            typical.append((number, int(own[middle]), float(visible[middle])))
+    columns = projected.columns[:, [int(bank.first[place]) for _, place, _ in typical]]
+    explained, _ = projected.explained(columns, np.zeros((len(problem.y), 0)))
+    found: list[Smallest] = []
+    for (number, place, visible), column, taken in zip(
+        typical, columns.T, explained.T, strict=True
+    ):
+        name, instance = bank.names[number], bank.instances[place]
+        same = taken > _ALIAS * float(column @ column)
         twins = [
             other
-            for place, other in enumerate(bank.names)
-            if place != number and np.any(same & (bank.name == place))
+            for rival, other in enumerate(bank.names)
+            if rival != number and np.any(same & (bank.name == rival))
         ]
         sensor = problem.models[max(instance.channel, 0)].sensor
         parameter = instance.effect.parameters(sensor)[0]
@@ -41,7 +45,7 @@ def smallest_of(engine: Engine) -> tuple[Smallest, ...]:
                 effect=name,
                 name=CATALOGUE[name].name,
                 parameter=parameter.name,
-                size=_NAMED / float(visible[middle]),
+                size=_NAMED / visible,
                 unit=parameter.unit,
                 typical=CATALOGUE[name].typical.get(sensor.kind, math.nan),
                 aliases=tuple(twins),

@@ -14,6 +14,50 @@ from core.model.effect import Effect, Kind
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class Relabelling:
+    """What a relabelling would make of a run, whatever the noise.
+
+    Parameters
+    ----------
+    effect : the relabelling
+    change : (n,) what it does to the outputs
+    design : (n, p) of the plain model where it means another stimulus; None where it does not
+    """
+
+    effect: Effect
+    change: FloatArray
+    design: FloatArray | None
+
+    @classmethod
+    def of(cls, problem: Problem, effect: Effect) -> "Relabelling":
+        """Apply it."""
+        y = problem.y.reshape(problem.channels, problem.rows).T
+        stimulus, right = effect.relabel(problem.stimulus, y)
+        other = None if stimulus is problem.stimulus else problem.design(stimulus)
+        return cls(effect, (right - y).T.ravel(), other)
+
+    def change_in(self, problem: Problem, space: Space) -> FloatArray:
+        """What it adds to the outputs (n,).
+
+        Another stimulus acts like outputs that differ by what the model says of the difference.
+        """
+        if self.design is None:
+            return self.change
+        values = np.linalg.lstsq(space.white(self.design), space.white(problem.y), rcond=None)[0]
+        return self.change - (self.design - problem.design()) @ values
+
+
+def relabellings_of(problem: Problem) -> tuple[Relabelling, ...]:
+    """All relabellings of a run but the exchange of pairs."""
+    return tuple(
+        Relabelling.of(problem, one)
+        for effect in problem.effects
+        if effect.kind is Kind.RELABEL
+        for one in effect.instances(problem.stimulus, problem.models[0].sensor)
+    )
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class Relabels:
     """All relabellings and exchanges of a run in a whitened space.
 
@@ -40,15 +84,10 @@ class Relabels:
     inner: FloatArray
 
     @classmethod
-    def of(cls, problem: Problem, space: Space) -> "Relabels":
+    def of(cls, problem: Problem, space: Space, made: tuple[Relabelling, ...]) -> "Relabels":
         """Work out what each relabelling would change."""
-        effects = [
-            one
-            for effect in problem.effects
-            if effect.kind is Kind.RELABEL
-            for one in effect.instances(problem.stimulus, problem.models[0].sensor)
-        ]
-        changes = [_change(problem, effect, space) for effect in effects]
+        effects = [one.effect for one in made]
+        changes = [one.change_in(problem, space) for one in made]
         n = len(problem.y)
         exchange = next((e for e in problem.effects if e.kind is Kind.EXCHANGE), None)
         none = np.zeros((0, 2), dtype=np.int64)
@@ -83,7 +122,8 @@ class Relabels:
             evidence = relabel_evidence(self._exchanged(state), state.rss, self.space.prior, dof)
             first, second = self.pairs[int(np.argmax(evidence))].tolist()
             effect = self.exchange.exchanged(first, second)
-            slot = self._slot(effect, _change(self.problem, effect, self.space))
+            change = Relabelling.of(self.problem, effect).change_in(self.problem, self.space)
+            slot = self._slot(effect, change)
             found[effect.id] = (float(log_mean(evidence, axis=0)), slot)
         return found
 
@@ -109,18 +149,3 @@ class Relabels:
                 there = y[q] - y[p]
                 after += step * there * (inner[a, p] - inner[a, q] - inner[b, p] + inner[b, q])
         return np.maximum(after, 0.0)
-
-
-def _change(problem: Problem, effect: Effect, space: Space) -> FloatArray:
-    """What a relabelling adds to the outputs.
-
-    Another stimulus acts like outputs that differ by what the model says of the difference.
-    """
-    y = problem.y.reshape(problem.channels, problem.rows).T
-    stimulus, right = effect.relabel(problem.stimulus, y)
-    change = (right - y).T.ravel()
-    if stimulus is not problem.stimulus:
-        other, plain = problem.design(stimulus), problem.design()
-        values = np.linalg.lstsq(space.white(other), space.white(problem.y), rcond=None)[0]
-        change = change - (other - plain) @ values
-    return change
