@@ -2,6 +2,8 @@
 
 choice      which language is spoken; installs it, at the start and while the program runs
 shown       words of states, notes and errors in the language of the window, and its decimal mark
+plural      words behind numbers: 1 рядок, 2 рядки, 5 рядків
+anchors     labels of the old programs, which stay English
 gui_texts   texts that the sources give to Qt, found without running them
 plain_texts English sentences with numbers in them, found as templates
 ts_file     the XML of Qt Linguist

@@ -10,7 +10,7 @@ from gui.languages.shown import Book, speak
 from gui.languages.ts_file import read_ts
 
 SYSTEM, ENGLISH = "system", "en"
-LANGUAGES = {ENGLISH: "English", "uk": "Українська"}
+LANGUAGES = {ENGLISH: "English", "uk": "Українська", "ru": "Русский"}
 """Code and own name of every language; a further one needs its line here and its files."""
 _FOLDER = Path(str(files("resources"))) / "i18n"
 

@@ -11,6 +11,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import lru_cache
 
+from gui.languages.plural import inflected
 from gui.languages.ts_file import Message
 
 SHOWN = "Shown"
@@ -150,7 +151,7 @@ class Book:
                 values = [self.translate(value, depth + 1) for value in match.groups()]
                 told = dict(zip(names, values, strict=True))
                 parts = re.split(r"(\{\w+\})", template.translation)
-                return "".join(told.get(part, part) for part in parts)
+                return inflected("".join(told.get(part, part) for part in parts))
         return None
 
     def _labelled(self, text: str, depth: int) -> str | None:

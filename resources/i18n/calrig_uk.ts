@@ -343,6 +343,16 @@
         </message>
         <message>
             <location filename="../../gui/archive/view.py" />
+            <source>Temperature of what counts</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/archive/view.py" />
+            <source>Only calibrations at about this temperature count; the others are shown</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/archive/view.py" />
             <source>Entries</source>
             <translation>Записи архіву</translation>
         </message>
@@ -2044,7 +2054,7 @@
         <message>
             <location filename="../../gui/certificate/laboratory_view.py" />
             <source>Position</source>
-            <translation>Положення</translation>
+            <translation>Посада</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/laboratory_view.py" />
@@ -3130,6 +3140,11 @@
         <name>ResultsView</name>
         <message>
             <location filename="../../gui/measuring/results_view.py" />
+            <source>With: {effects}</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/measuring/results_view.py" />
             <source>Certificate</source>
             <translation>Сертифікат</translation>
         </message>
@@ -3152,6 +3167,16 @@
             <location filename="../../gui/measuring/results_view.py" />
             <source>Compare the model with the rows: find out what it lacks</source>
             <translation>Порівняти модель з рядками: з'ясувати, чого їй бракує</translation>
+        </message>
+        <message>
+            <location filename="../../gui/measuring/results_view.py" />
+            <source>Take Out</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/measuring/results_view.py" />
+            <source>Calibrate by the plain model again</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../gui/measuring/results_view.py" />
@@ -3832,7 +3857,7 @@
         <message>
             <location filename="../../gui/accuracy/results.py" />
             <source>The file has {rows} rows, the list {angles} angles.</source>
-            <translation>Файл має {rows} рядків, список — {angles} кутів.</translation>
+            <translation>Файл має {rows} [рядок|рядки|рядків], список — {angles} [кут|кути|кутів].</translation>
         </message>
         <message>
             <location filename="../../gui/accuracy/tab.py" />
@@ -3847,7 +3872,7 @@
         <message>
             <location filename="../../gui/accuracy/tables.py" />
             <source>{device}: {kind} accuracy, {count} angles</source>
-            <translation>{device}: точність, {kind}, {count} кутів</translation>
+            <translation>{device}: точність, {kind}, {count} [кут|кути|кутів]</translation>
         </message>
         <message>
             <location filename="../../gui/accuracy/tables.py" />
@@ -3937,7 +3962,7 @@
         <message>
             <location filename="../../gui/accuracy/tables.py" />
             <source>{count} of {total} angles</source>
-            <translation>{count} з {total} кутів</translation>
+            <translation>{count} з {total} [кута|кутів|кутів]</translation>
         </message>
         <message>
             <location filename="../../gui/accuracy/texts.py" />
@@ -4012,7 +4037,7 @@
         <message>
             <location filename="../../gui/advisor/findings.py" />
             <source>{method}: {rows} accumulations, {time}; {dof} more than unknowns</source>
-            <translation>{method}: {rows} накопичень, {time}; на {dof} більше, ніж невідомих</translation>
+            <translation>{method}: {rows} [накопичення|накопичення|накопичень], {time}; на {dof} більше, ніж невідомих</translation>
         </message>
         <message>
             <location filename="../../gui/advisor/findings.py" />
@@ -4175,6 +4200,61 @@
             <translation>температур: {count}</translation>
         </message>
         <message>
+            <location filename="../../gui/archive/actions.py" />
+            <source>Nothing is chosen.</source>
+            <translation>Нічого не вибрано.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/archive/actions.py" />
+            <source>All that there is of it is shown here.</source>
+            <translation>Усе, що про нього є, показано тут.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/archive/actions.py" />
+            <source>The archive is being worked at.</source>
+            <translation>Архів зайнятий роботою.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/archive/actions.py" />
+            <source>Open</source>
+            <translation>Відкрити</translation>
+        </message>
+        <message>
+            <location filename="../../gui/archive/actions.py" />
+            <source>Certificate</source>
+            <translation>Сертифікат</translation>
+        </message>
+        <message>
+            <location filename="../../gui/archive/actions.py" />
+            <source>Choose a session, a run, an old file or a calibration.</source>
+            <translation>Виберіть сеанс, серію, старий файл або калібрування.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/archive/actions.py" />
+            <source>Import Folder</source>
+            <translation>Імпорт теки</translation>
+        </message>
+        <message>
+            <location filename="../../gui/archive/actions.py" />
+            <source>Decode Again</source>
+            <translation>Декодувати знову</translation>
+        </message>
+        <message>
+            <location filename="../../gui/archive/actions.py" />
+            <source>Choose a session: its raw bytes are decoded again and compared.</source>
+            <translation>Виберіть сеанс: його необроблені байти буде декодовано знову і порівняно.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/archive/actions.py" />
+            <source>Refresh</source>
+            <translation>Оновити</translation>
+        </message>
+        <message>
+            <location filename="../../gui/archive/actions.py" />
+            <source>Rebuild Index</source>
+            <translation>Перебудувати індекс</translation>
+        </message>
+        <message>
             <location filename="../../gui/archive/exporting.py" />
             <source>Tables, CSV (1.5, …)</source>
             <translation>Таблиці, CSV (1.5, …)</translation>
@@ -4200,9 +4280,89 @@
             <translation>Записано: {path}</translation>
         </message>
         <message>
+            <location filename="../../gui/archive/failures.py" />
+            <source>The sessions are untouched. When the cause is gone press Refresh (Ctrl+R).</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/archive/failures.py" />
+            <source>The archive cannot be searched</source>
+            <translation>В архіві неможливо шукати</translation>
+        </message>
+        <message>
+            <location filename="../../gui/archive/failures.py" />
+            <source>The archive cannot be opened</source>
+            <translation>Архів неможливо відкрити</translation>
+        </message>
+        <message>
+            <location filename="../../gui/archive/failures.py" />
+            <source>The index cannot be made</source>
+            <translation>Індекс неможливо створити</translation>
+        </message>
+        <message>
+            <location filename="../../gui/archive/failures.py" />
+            <source>The sessions are untouched. When the cause is gone press Refresh (Ctrl+R): what is missing in the list comes back from the files.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/archive/failures.py" />
+            <source>The entry cannot be shown</source>
+            <translation>Запис неможливо показати</translation>
+        </message>
+        <message>
+            <location filename="../../gui/archive/failures.py" />
+            <source>The list is looked up again; choose the entry once more.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/archive/failures.py" />
+            <source>The history cannot be shown</source>
+            <translation>Історію неможливо показати</translation>
+        </message>
+        <message>
+            <location filename="../../gui/archive/failures.py" />
+            <source>The folder cannot be imported</source>
+            <translation>Теку неможливо імпортувати</translation>
+        </message>
+        <message>
+            <location filename="../../gui/archive/failures.py" />
+            <source>What was taken in stays. Put right what is named and import the folder again: it goes on where it was broken off.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/archive/failures.py" />
+            <source>The session cannot be decoded</source>
+            <translation>Сеанс неможливо декодувати</translation>
+        </message>
+        <message>
+            <location filename="../../gui/archive/failures.py" />
+            <source>The stored means stay as they are. The raw bytes (.calrec) belong into the session's folder or into the folder raw.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/archive/failures.py" />
+            <source>Nothing has to be done. If it happens again, have the disk checked.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/archive/failures.py" />
+            <source>Searching works as always. To measure, choose a folder that can be written to.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/archive/failures.py" />
+            <source>Update CalRig on this computer; until then measure as always, the newer program finds the sessions.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/archive/failures.py" />
+            <source>Open it by Load Data of the tab in which it was measured.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <location filename="../../gui/archive/findings.py" />
             <source>{marked} of {all} parameters differ by more than 2 u</source>
-            <translation>{marked} з {all} параметрів відрізняються більше ніж на 2 u</translation>
+            <translation>{marked} з {all} [параметра|параметрів|параметрів] відрізняються більше ніж на 2 u</translation>
         </message>
         <message>
             <location filename="../../gui/archive/findings.py" />
@@ -4357,7 +4517,7 @@
         <message>
             <location filename="../../gui/archive/findings.py" />
             <source>{same} of {all} positions give the same means</source>
-            <translation>{same} з {all} положень дають ті самі середні</translation>
+            <translation>{same} з {all} [положення|положень|положень] дають ті самі середні</translation>
         </message>
         <message>
             <location filename="../../gui/archive/findings.py" />
@@ -4393,6 +4553,11 @@
             <location filename="../../gui/archive/presenter.py" />
             <source>The archive</source>
             <translation>Архів</translation>
+        </message>
+        <message>
+            <location filename="../../gui/archive/presenter.py" />
+            <source>all temperatures</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../gui/archive/presenter.py" />
@@ -4432,96 +4597,6 @@ Every session and calibration of the folder of sessions comes here by itself. Im
             <location filename="../../gui/archive/presenter.py" />
             <source>There is no calibration of this device whose parameters could be followed.</source>
             <translation>Немає калібрування цього пристрою, за параметрами якого можна стежити.</translation>
-        </message>
-        <message>
-            <location filename="../../gui/archive/presenter.py" />
-            <source>Nothing is chosen.</source>
-            <translation>Нічого не вибрано.</translation>
-        </message>
-        <message>
-            <location filename="../../gui/archive/presenter.py" />
-            <source>All that there is of it is shown here.</source>
-            <translation>Усе, що про нього є, показано тут.</translation>
-        </message>
-        <message>
-            <location filename="../../gui/archive/presenter.py" />
-            <source>The archive is being worked at.</source>
-            <translation>Архів зайнятий роботою.</translation>
-        </message>
-        <message>
-            <location filename="../../gui/archive/presenter.py" />
-            <source>Open</source>
-            <translation>Відкрити</translation>
-        </message>
-        <message>
-            <location filename="../../gui/archive/presenter.py" />
-            <source>Certificate</source>
-            <translation>Сертифікат</translation>
-        </message>
-        <message>
-            <location filename="../../gui/archive/presenter.py" />
-            <source>Choose a session, a run, an old file or a calibration.</source>
-            <translation>Виберіть сеанс, серію, старий файл або калібрування.</translation>
-        </message>
-        <message>
-            <location filename="../../gui/archive/presenter.py" />
-            <source>Import Folder</source>
-            <translation>Імпорт теки</translation>
-        </message>
-        <message>
-            <location filename="../../gui/archive/presenter.py" />
-            <source>Decode Again</source>
-            <translation>Декодувати знову</translation>
-        </message>
-        <message>
-            <location filename="../../gui/archive/presenter.py" />
-            <source>Choose a session: its raw bytes are decoded again and compared.</source>
-            <translation>Виберіть сеанс: його необроблені байти буде декодовано знову і порівняно.</translation>
-        </message>
-        <message>
-            <location filename="../../gui/archive/presenter.py" />
-            <source>Refresh</source>
-            <translation>Оновити</translation>
-        </message>
-        <message>
-            <location filename="../../gui/archive/presenter.py" />
-            <source>Rebuild Index</source>
-            <translation>Перебудувати індекс</translation>
-        </message>
-        <message>
-            <location filename="../../gui/archive/presenter.py" />
-            <source>The archive cannot be searched</source>
-            <translation>В архіві неможливо шукати</translation>
-        </message>
-        <message>
-            <location filename="../../gui/archive/presenter.py" />
-            <source>The archive cannot be opened</source>
-            <translation>Архів неможливо відкрити</translation>
-        </message>
-        <message>
-            <location filename="../../gui/archive/presenter.py" />
-            <source>The index cannot be made</source>
-            <translation>Індекс неможливо створити</translation>
-        </message>
-        <message>
-            <location filename="../../gui/archive/presenter.py" />
-            <source>The entry cannot be shown</source>
-            <translation>Запис неможливо показати</translation>
-        </message>
-        <message>
-            <location filename="../../gui/archive/presenter.py" />
-            <source>The history cannot be shown</source>
-            <translation>Історію неможливо показати</translation>
-        </message>
-        <message>
-            <location filename="../../gui/archive/presenter.py" />
-            <source>The folder cannot be imported</source>
-            <translation>Теку неможливо імпортувати</translation>
-        </message>
-        <message>
-            <location filename="../../gui/archive/presenter.py" />
-            <source>The session cannot be decoded</source>
-            <translation>Сеанс неможливо декодувати</translation>
         </message>
         <message>
             <location filename="../../gui/comparison/page.py" />
@@ -4860,6 +4935,11 @@ Every session and calibration of the folder of sessions comes here by itself. Im
         </message>
         <message>
             <location filename="../../gui/discrepancy/presenter.py" />
+            <source>No tab calibrates this run</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/presenter.py" />
             <source>A session holds another plan, or an accumulation is running.</source>
             <translation>Сеанс тримає інший план, або триває накопичення.</translation>
         </message>
@@ -4885,7 +4965,7 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         <message>
             <location filename="../../gui/discrepancy/report.py" />
             <source>{count} rows of {channels}, {files}</source>
-            <translation>{count} рядків {channels}, {files}</translation>
+            <translation>{count} [рядок|рядки|рядків] {channels}, {files}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/report.py" />
@@ -5036,6 +5116,11 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
             <location filename="../../gui/discrepancy/scene.py" />
             <source>Hide Simulation</source>
             <translation>Без симуляції</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/scene.py" />
+            <source>Use in Calibration</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
@@ -5255,7 +5340,7 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         <message>
             <location filename="../../gui/drift/findings.py" />
             <source>{p} knots × {m} temperatures, {bytes} bytes</source>
-            <translation>{p} вузлів × {m} температур, {bytes} байтів</translation>
+            <translation>{p} [вузол|вузли|вузлів] × {m} [температура|температури|температур], {bytes} [байт|байти|байтів]</translation>
         </message>
         <message>
             <location filename="../../gui/drift/findings.py" />
@@ -5265,7 +5350,7 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         <message>
             <location filename="../../gui/drift/findings.py" />
             <source>{n} turn-ons, {low} … {high}; from {start} to {stop} s. The start is brought to zero over {begin} … {end} s, whose noise u = {noise} {unit} every correction carries.</source>
-            <translation>{n} увімкнень, {low} … {high}; від {start} до {stop} s. Початок зведено до нуля за {begin} … {end} s; шум цього u = {noise} {unit} несе кожна корекція.</translation>
+            <translation>{n} [увімкнення|увімкнення|увімкнень], {low} … {high}; від {start} до {stop} s. Початок зведено до нуля за {begin} … {end} s; шум цього u = {noise} {unit} несе кожна корекція.</translation>
         </message>
         <message>
             <location filename="../../gui/drift/findings.py" />
@@ -5370,7 +5455,7 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         <message>
             <location filename="../../gui/drift/picture.py" />
             <source>cost {cost} {unit} rms on the means (optimal {best}), {p} knots, {bytes} bytes</source>
-            <translation>ціна {cost} {unit} СКВ на середніх (оптимум {best}), {p} вузлів, {bytes} байтів</translation>
+            <translation>ціна {cost} {unit} СКВ на середніх (оптимум {best}), {p} [вузол|вузли|вузлів], {bytes} [байт|байти|байтів]</translation>
         </message>
         <message>
             <location filename="../../gui/drift/picture.py" />
@@ -5569,7 +5654,7 @@ Simulated turn-ons (F6) shows the tab on a made-up gyro.</source>
         <message>
             <location filename="../../gui/gyrocompass/findings.py" />
             <source>u of the heading: {count} headings, {pause} s to turn, by N, B, K</source>
-            <translation>u курсу: {count} курсів, {pause} s на поворот, за N, B, K</translation>
+            <translation>u курсу: {count} [курс|курси|курсів], {pause} s на поворот, за N, B, K</translation>
         </message>
         <message>
             <location filename="../../gui/gyrocompass/findings.py" />
@@ -6077,7 +6162,7 @@ State the noise of the gyro at the left, or take it from a record, to see how lo
         <message>
             <location filename="../../gui/live/scene.py" />
             <source>{name}: {count} samples, {seconds} s, safe on the disk.</source>
-            <translation>{name}: {count} відліків, {seconds} s, надійно на диску.</translation>
+            <translation>{name}: {count} [відлік|відліки|відліків], {seconds} s, надійно на диску.</translation>
         </message>
         <message>
             <location filename="../../gui/live/scene.py" />
@@ -6167,7 +6252,7 @@ State the noise of the gyro at the left, or take it from a record, to see how lo
         <message>
             <location filename="../../gui/rate_table/words.py" />
             <source>{seconds} s ({turns} turns; {whole} s would be whole turns)</source>
-            <translation>{seconds} s ({turns} обертів; цілими були б {whole} s)</translation>
+            <translation>{seconds} s ({turns} [оберт|оберти|обертів]; цілими були б {whole} s)</translation>
         </message>
         <message>
             <location filename="../../gui/report_export.py" />
@@ -6525,7 +6610,7 @@ Simulated cycle (F6) shows the tab on a made-up unit.</source>
         <message>
             <location filename="../../gui/thermal/record_findings.py" />
             <source>{rows} rows, {device}, {low} … {high}; beyond, nothing is compensated</source>
-            <translation>{rows} рядків, {device}, {low} … {high}; поза цим нічого не компенсується</translation>
+            <translation>{rows} [рядок|рядки|рядків], {device}, {low} … {high}; поза цим нічого не компенсується</translation>
         </message>
         <message>
             <location filename="../../gui/thermal/record_findings.py" />
@@ -6760,7 +6845,7 @@ Simulated cycle (F6) shows the tab on a made-up unit.</source>
         <message>
             <location filename="../../gui/tumble/presenter.py" />
             <source>{file}: {readings} readings at {angles} angles, {mounts}</source>
-            <translation>{file}: {readings} показів на {angles} кутах, {mounts}</translation>
+            <translation>{file}: {readings} [показ|покази|показів] на {angles} кутах, {mounts}</translation>
         </message>
         <message>
             <location filename="../../gui/tumble/presenter.py" />
@@ -6974,12 +7059,12 @@ Measure the plan fourier_400 (5° to 400° by 5°) or fourier_flip in the tab Di
         <message>
             <location filename="../../gui/allan/findings.py" />
             <source>{grouped} samples at {rate} Hz, {duration}, in {plain_unit}</source>
-            <translation>{grouped} відліків при {rate} Hz, {duration}, у {plain_unit}</translation>
+            <translation>{grouped} [відлік|відліки|відліків] при {rate} Hz, {duration}, у {plain_unit}</translation>
         </message>
         <message>
             <location filename="../../gui/allan/findings.py" />
             <source>{grouped} samples at {rate} Hz, {duration}</source>
-            <translation>{grouped} відліків при {rate} Hz, {duration}</translation>
+            <translation>{grouped} [відлік|відліки|відліків] при {rate} Hz, {duration}</translation>
         </message>
         <message>
             <location filename="../../gui/allan/findings.py" />
@@ -7123,7 +7208,7 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         <message>
             <location filename="../../gui/allan/presenter.py" />
             <source>{grouped} samples</source>
-            <translation>{grouped} відліків</translation>
+            <translation>{grouped} [відлік|відліки|відліків]</translation>
         </message>
         <message>
             <location filename="../../gui/allan/presenter.py" />
@@ -7339,6 +7424,25 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
             <location filename="../../gui/app.py" />
             <source>A device file is refused</source>
             <translation>Файл пристрою відхилено</translation>
+        </message>
+        <message>
+            <location filename="../../gui/archive/demo.py" />
+            <source>[[limit]]
+parameter = "bias"
+unit = "code"
+low = -395
+high = -360</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/archive/demo.py" />
+            <source>the archive did not list all</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/archive/demo.py" />
+            <source>the archive did not answer</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../gui/archive/library.py" />
@@ -7608,7 +7712,7 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         <message>
             <location filename="../../gui/devices/words.py" />
             <source>{bytes} bytes have come, and no frame of the profile was among them.</source>
-            <translation>Прийшло {bytes} байтів, і серед них немає жодного кадру профілю.</translation>
+            <translation>Прийшло {bytes} [байт|байти|байтів], і серед них немає жодного кадру профілю.</translation>
         </message>
         <message>
             <location filename="../../gui/devices/words.py" />
@@ -7853,7 +7957,7 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         <message>
             <location filename="../../gui/drift/library.py" />
             <source>{memory} bytes hold no table of {temperatures} temperatures; two knots need {temperatures2}</source>
-            <translation>{memory} байтів не вміщають таблиці для {temperatures} температур; два вузли потребують {temperatures2}</translation>
+            <translation>{memory} [байт|байти|байтів] не вміщають таблиці для {temperatures} [температури|температур|температур]; два вузли потребують {temperatures2}</translation>
         </message>
         <message>
             <location filename="../../gui/drift/library.py" />
@@ -8048,7 +8152,7 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         <message>
             <location filename="../../gui/frames/texts.py" />
             <source>{grouped} bytes</source>
-            <translation>{grouped} байтів</translation>
+            <translation>{grouped} [байт|байти|байтів]</translation>
         </message>
         <message>
             <location filename="../../gui/frames/texts.py" />
@@ -8108,7 +8212,7 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         <message>
             <location filename="../../gui/frames/texts.py" />
             <source>the payload, {add} bytes less</source>
-            <translation>корисні дані, на {add} байтів менше</translation>
+            <translation>корисні дані, на {add} [байт|байти|байтів] менше</translation>
         </message>
         <message>
             <location filename="../../gui/frames/texts.py" />
@@ -8500,6 +8604,31 @@ Without a command the window opens.</translation>
             <translation>містить кілька пристроїв: {names}; виберіть один</translation>
         </message>
         <message>
+            <location filename="../../gui/measuring/added_table.py" />
+            <source>Effects that were added to the model</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/measuring/added_table.py" />
+            <source>Effect</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/measuring/added_table.py" />
+            <source>Where</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/measuring/added_table.py" />
+            <source>taken out in use</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/measuring/added_table.py" />
+            <source>this test alone</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <location filename="../../gui/measuring/bench.py" />
             <source>No device</source>
             <translation>Немає пристрою</translation>
@@ -8687,7 +8816,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../gui/measuring/loading.py" />
             <source>{name} holds {len} devices</source>
-            <translation>{name} містить {len} пристроїв</translation>
+            <translation>{name} містить {len} [пристрій|пристрої|пристроїв]</translation>
         </message>
         <message>
             <location filename="../../gui/measuring/loading.py" />
@@ -8945,6 +9074,21 @@ Without a command the window opens.</translation>
             <translation>Звільніть там місце або виберіть іншу теку; потім спробуйте знову.</translation>
         </message>
         <message>
+            <location filename="../../gui/methods/comparison_demo.py" />
+            <source>the files were not read</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/methods/comparison_demo.py" />
+            <source>there is no noise to compare</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/methods/comparison_demo.py" />
+            <source>play Allan first</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <location filename="../../gui/methods/demo.py" />
             <source>the tumble was not evaluated</source>
             <translation>оберт не оцінено</translation>
@@ -9008,6 +9152,11 @@ Without a command the window opens.</translation>
             <location filename="../../gui/rate_table/guide.py" />
             <source>{name} stood at {mean} throughout: the gyro or its converter is at the end of its range, or the channel is stuck; leave the rate out, or measure a smaller one</source>
             <translation>{name} весь час показував {mean}: гіроскоп або його перетворювач на межі діапазону, або канал завис; пропустіть цю швидкість або виміряйте меншу</translation>
+        </message>
+        <message>
+            <location filename="../../gui/rate_table/processing.py" />
+            <source>table and head run are not fitted together while effects are added: they were found in one of them alone</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../gui/rate_table/processing.py" />
@@ -9442,17 +9591,17 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/allan/faults.py" />
             <source>{longest} samples in succession are equal, where at most {expected} could be expected: the channel was stuck for a time</source>
-            <translation>{longest} відліків поспіль однакові, тоді як очікувати можна щонайбільше {expected}: канал на якийсь час завис</translation>
+            <translation>{longest} [відлік|відліки|відліків] поспіль однакові, тоді як очікувати можна щонайбільше {expected}: канал на якийсь час завис</translation>
         </message>
         <message>
             <location filename="../../core/allan/faults.py" />
             <source>{piled} samples lie exactly at the extreme value {extreme}, but only {beside} at the value beside it: the signal is clipped, noise is understated</source>
-            <translation>{piled} відліків лежать точно на крайньому значенні {extreme}, а поруч із ним лише {beside}: сигнал обмежений, шум занижено</translation>
+            <translation>{piled} [відлік|відліки|відліків] лежать точно на крайньому значенні {extreme}, а поруч із ним лише {beside}: сигнал обмежений, шум занижено</translation>
         </message>
         <message>
             <location filename="../../core/allan/leastsquares.py" />
             <source>{len} points of the Allan curve lie between {shortest} s and a third of the record; {len2} terms need more: record longer</source>
-            <translation>{len} точок кривої Аллана лежать між {shortest} s і третиною запису; для {len2} складових потрібно більше: записуйте довше</translation>
+            <translation>{len} [точка|точки|точок] кривої Аллана лежать між {shortest} s і третиною запису; для {len2} складових потрібно більше: записуйте довше</translation>
         </message>
         <message>
             <location filename="../../core/allan/noise.py" />
@@ -9472,12 +9621,12 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/allan/noise.py" />
             <source>{found} samples without a gap: the noise terms cannot be told apart in fewer than {shortest}; record longer</source>
-            <translation>{found} відліків без пропусків: складові шуму не розрізнити менш ніж за {shortest}; записуйте довше</translation>
+            <translation>{found} [відлік|відліки|відліків] без пропусків: складові шуму не розрізнити менш ніж за {shortest}; записуйте довше</translation>
         </message>
         <message>
             <location filename="../../core/allan/noise.py" />
             <source>the spectrum is {ratio} times the fitted noise about {frequency} Hz (period {frequency2} s): vibration, a thermostat or a warm-up rather than noise</source>
-            <translation>спектр у {ratio} раза перевищує оцінений шум поблизу {frequency} Hz (період {frequency2} s): радше вібрація, термостат або прогрів, ніж шум</translation>
+            <translation>спектр у {ratio} [раз|раза|разів] перевищує оцінений шум поблизу {frequency} Hz (період {frequency2} s): радше вібрація, термостат або прогрів, ніж шум</translation>
         </message>
         <message>
             <location filename="../../core/allan/noise.py" />
@@ -9497,7 +9646,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/allan/other.py" />
             <source>the {kind} deviation is offered up to {most} samples, the record has {x}: average neighbouring samples first</source>
-            <translation>девіація {kind} доступна до {most} відліків, у записі їх {x}: спершу усередніть сусідні відліки</translation>
+            <translation>девіація {kind} доступна до {most} [відліку|відліків|відліків], у записі їх {x}: спершу усередніть сусідні відліки</translation>
         </message>
         <message>
             <location filename="../../core/allan/other.py" />
@@ -9517,17 +9666,17 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/allan/record.py" />
             <source>{lost} samples were lost; only the longest gap-free stretch is analysed: {int} of {x} samples</source>
-            <translation>втрачено відліків: {lost}; аналізується лише найдовша ділянка без пропусків: {int} з {x} відліків</translation>
+            <translation>втрачено відліків: {lost}; аналізується лише найдовша ділянка без пропусків: {int} з {x} [відліку|відліків|відліків]</translation>
         </message>
         <message>
             <location filename="../../core/allan/record.py" />
             <source>{lost} samples were lost; the differences within {len} gap-free stretches are pooled, the longest has {int} samples</source>
-            <translation>втрачено відліків: {lost}; об'єднано різниці всередині {len} ділянок без пропусків, найдовша має {int} відліків</translation>
+            <translation>втрачено відліків: {lost}; об'єднано різниці всередині {len} [ділянки|ділянок|ділянок] без пропусків, найдовша має {int} [відлік|відліки|відліків]</translation>
         </message>
         <message>
             <location filename="../../core/allan/record.py" />
             <source>the record has {len} time stamps; record longer</source>
-            <translation>запис має {len} позначок часу; записуйте довше</translation>
+            <translation>запис має {len} [позначку|позначки|позначок] часу; записуйте довше</translation>
         </message>
         <message>
             <location filename="../../core/allan/record.py" />
@@ -9557,7 +9706,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/allan/record.py" />
             <source>all {count} samples equal {lowest}: the channel is stuck or not connected</source>
-            <translation>усі {count} відліків дорівнюють {lowest}: канал завис або не під'єднаний</translation>
+            <translation>усі {count} [відлік|відліки|відліків] дорівнюють {lowest}: канал завис або не під'єднаний</translation>
         </message>
         <message>
             <location filename="../../core/allan/record.py" />
@@ -9567,7 +9716,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/allan/record.py" />
             <source>{len} sample numbers for {x} samples</source>
-            <translation>{len} номерів відліків на {x} відліків</translation>
+            <translation>{len} [номер|номери|номерів] відліків на {x} [відлік|відліки|відліків]</translation>
         </message>
         <message>
             <location filename="../../core/allan/record.py" />
@@ -9577,7 +9726,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/allan/streaming.py" />
             <source>{count} samples so far: an Allan curve needs {shortest_record}</source>
-            <translation>поки що {count} відліків: крива Аллана потребує {shortest_record}</translation>
+            <translation>поки що {count} [відлік|відліки|відліків]: крива Аллана потребує {shortest_record}</translation>
         </message>
         <message>
             <location filename="../../core/allan/streaming.py" />
@@ -9587,7 +9736,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/allan/streaming.py" />
             <source>all {count} samples so far are equal: the channel is stuck or not connected</source>
-            <translation>усі {count} відліків досі однакові: канал завис або не під'єднаний</translation>
+            <translation>усі {count} [відлік|відліки|відліків] досі однакові: канал завис або не під'єднаний</translation>
         </message>
         <message>
             <location filename="../../core/allan/streaming.py" />
@@ -9602,7 +9751,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/allan/taus.py" />
             <source>the record has {x} samples: an Allan curve needs at least {shortest_record}; record longer</source>
-            <translation>запис має {x} відліків: крива Аллана потребує щонайменше {shortest_record}; записуйте довше</translation>
+            <translation>запис має {x} [відлік|відліки|відліків]: крива Аллана потребує щонайменше {shortest_record}; записуйте довше</translation>
         </message>
         <message>
             <location filename="../../core/allan/whittle.py" />
@@ -9632,7 +9781,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/archive/compare.py" />
             <source>{alone} parameters stand in one of them only</source>
-            <translation>{alone} параметрів є лише в одному з них</translation>
+            <translation>{alone} [параметр|параметри|параметрів] є лише в одному з них</translation>
         </message>
         <message>
             <location filename="../../core/archive/compare.py" />
@@ -9767,12 +9916,12 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/archive/history.py" />
             <source>{bad} calibrations with errors are shown and do not count</source>
-            <translation>{bad} калібрувань з помилками показано, але не враховано</translation>
+            <translation>{bad} [калібрування|калібрування|калібрувань] з помилками показано, але не враховано</translation>
         </message>
         <message>
             <location filename="../../core/archive/history.py" />
             <source>{far} calibrations not at about {temperature_c} °C are shown and do not count</source>
-            <translation>{far} калібрувань не поблизу {temperature_c} °C показано, але не враховано</translation>
+            <translation>{far} [калібрування|калібрування|калібрувань] не поблизу {temperature_c} °C показано, але не враховано</translation>
         </message>
         <message>
             <location filename="../../core/archive/history.py" />
@@ -10077,7 +10226,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/certificates/register.py" />
             <source>{folder}: no number is free after {attempts} attempts</source>
-            <translation>{folder}: після {attempts} спроб немає вільного номера</translation>
+            <translation>{folder}: після {attempts} [спроби|спроб|спроб] немає вільного номера</translation>
         </message>
         <message>
             <location filename="../../core/certificates/register.py" />
@@ -10242,7 +10391,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/discrepancy/ladder.py" />
             <source>{shape} rows for {shape2} parameters leave nothing that could contradict the model; measure more positions, and each twice</source>
-            <translation>{shape} рядків на {shape2} параметрів не залишають нічого, що могло б суперечити моделі; виміряйте більше положень, і кожне двічі</translation>
+            <translation>{shape} [рядок|рядки|рядків] на {shape2} [параметр|параметри|параметрів] не залишають нічого, що могло б суперечити моделі; виміряйте більше положень, і кожне двічі</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/ladder.py" />
@@ -10257,7 +10406,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/discrepancy/problem.py" />
             <source>{channels}: {len} rows for the {shape} parameters of the plain model; add positions</source>
-            <translation>{channels}: {len} рядків на {shape} параметрів простої моделі; додайте положення</translation>
+            <translation>{channels}: {len} [рядок|рядки|рядків] на {shape} [параметр|параметри|параметрів] простої моделі; додайте положення</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/problem.py" />
@@ -10347,27 +10496,27 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/discrepancy/record_facts.py" />
             <source>{lost} of {int} samples never came, in {int2} gaps of up to {longest} s</source>
-            <translation>{lost} з {int} відліків не прийшли, у {int2} пропусках до {longest} s</translation>
+            <translation>{lost} з {int} [відліку|відліків|відліків] не прийшли, у {int2} пропусках до {longest} s</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_facts.py" />
             <source>{int} samples in succession are equal to the last bit, from {at} s on</source>
-            <translation>{int} відліків поспіль однакові до останнього біта, від {at} s</translation>
+            <translation>{int} [відлік|відліки|відліків] поспіль однакові до останнього біта, від {at} s</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_facts.py" />
             <source>{int} codes of {bit} {unit} never occur, where about {mean} samples each were to be expected</source>
-            <translation>{int} кодів по {bit} {unit} ніколи не трапляються, де очікувалося близько {mean} відліків на кожен</translation>
+            <translation>{int} [код|коди|кодів] по {bit} {unit} ніколи не трапляються, де очікувалося близько {mean} [відліку|відліків|відліків] на кожен</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_facts.py" />
             <source>the scatter is {ratio} times as large as elsewhere in {len} stretches, the first from {rows} s on</source>
-            <translation>розкид у {ratio} раза більший, ніж деінде, на {len} ділянках, перша від {rows} s</translation>
+            <translation>розкид у {ratio} [раз|раза|разів] більший, ніж деінде, на {len} ділянках, перша від {rows} s</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_facts.py" />
             <source>{len} samples lie off, the farthest by {rest} sigma at {t_s} s</source>
-            <translation>{len} відліків випадають, найдалі на {rest} сигм при {t_s} s</translation>
+            <translation>{len} [відлік|відліки|відліків] випадають, найдалі на {rest} сигм при {t_s} s</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_facts.py" />
@@ -10377,12 +10526,12 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/discrepancy/record_problem.py" />
             <source>{len} blocks of {size} samples hold enough samples; record longer</source>
-            <translation>{len} блоків по {size} відліків вміщують досить; записуйте довше</translation>
+            <translation>{len} [блок|блоки|блоків] по {size} відліків вміщують досить; записуйте довше</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_problem.py" />
             <source>{len} samples are no record; record at least {fewest_samples}</source>
-            <translation>{len} відліків — не запис; запишіть щонайменше {fewest_samples}</translation>
+            <translation>{len} [відлік|відліки|відліків] — не запис; запишіть щонайменше {fewest_samples}</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_problem.py" />
@@ -10402,7 +10551,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/discrepancy/record_problem.py" />
             <source>only {int} samples of {channels} are numbers</source>
-            <translation>лише {int} відліків {channels} є числами</translation>
+            <translation>лише {int} [відлік|відліки|відліків] {channels} є числами</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_problem.py" />
@@ -10422,7 +10571,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/discrepancy/row_facts.py" />
             <source>all {len} rows of {minutes} min have the same temperature to the last digit, {values} degC: it does not come from the thermometer of the unit; effects of temperature cannot be judged</source>
-            <translation>усі {len} рядків за {minutes} min мають температуру {values} °C, однакову до останньої цифри: вона не з термометра виробу; ефекти температури оцінити не можна</translation>
+            <translation>усі {len} [рядок|рядки|рядків] за {minutes} min мають температуру {values} °C, однакову до останньої цифри: вона не з термометра виробу; ефекти температури оцінити не можна</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/steps.py" />
@@ -10467,7 +10616,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/discrepancy/verdict.py" />
             <source>No effect stands out, but the noise is {gap} times what is stated, or a part of it is.</source>
-            <translation>Жоден ефект не виділяється, але шум у {gap} раза більший за вказаний, або його частина.</translation>
+            <translation>Жоден ефект не виділяється, але шум у {gap} [раз|раза|разів] більший за вказаний, або його частина.</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/verdict.py" />
@@ -10477,7 +10626,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/discrepancy/verdict.py" />
             <source>the part {name} of the noise is {ratio} times what is stated or usual</source>
-            <translation>складова шуму {name} у {ratio} раза більша за вказану або звичайну</translation>
+            <translation>складова шуму {name} у {ratio} [раз|раза|разів] більша за вказану або звичайну</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/verdict.py" />
@@ -10527,7 +10676,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/fit/design.py" />
             <source>{x} rows of these positions determine {rank} of {x2} parameters; measure positions in which the missing axes change, or fit fewer parameters</source>
-            <translation>{x} рядків цих положень визначають {rank} з {x2} параметрів; виміряйте положення, у яких змінюються відсутні осі, або оцінюйте менше параметрів</translation>
+            <translation>{x} [рядок|рядки|рядків] цих положень визначають {rank} з {x2} [параметра|параметрів|параметрів]; виміряйте положення, у яких змінюються відсутні осі, або оцінюйте менше параметрів</translation>
         </message>
         <message>
             <location filename="../../core/fit/lack.py" />
@@ -10542,7 +10691,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/fit/lack.py" />
             <source>the residuals are {sqrt} times larger than the stated uncertainties of the rows allow (p = {p_value}); {meaning}</source>
-            <translation>залишки у {sqrt} раза більші, ніж допускають указані невизначеності рядків (p = {p_value}); {meaning}</translation>
+            <translation>залишки у {sqrt} [раз|раза|разів] більші, ніж допускають указані невизначеності рядків (p = {p_value}); {meaning}</translation>
         </message>
         <message>
             <location filename="../../core/fit/lack.py" />
@@ -10552,17 +10701,17 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/fit/linear.py" />
             <source>only {told} of {x} rows bring a usable standard error; none is used, and the scatter of the residuals stands for all</source>
-            <translation>лише {told} з {x} рядків мають придатну стандартну похибку; жодної не використано, за всі відповідає розкид залишків</translation>
+            <translation>лише {told} з {x} [рядка|рядків|рядків] мають придатну стандартну похибку; жодної не використано, за всі відповідає розкид залишків</translation>
         </message>
         <message>
             <location filename="../../core/fit/linear.py" />
             <source>{x} rows for {x2} parameters leave no residual that could show the drift between accumulations, and the intervals do not allow for it; repeat positions</source>
-            <translation>{x} рядків на {x2} параметрів не залишають залишку, який показав би дрейф між накопиченнями, й інтервали його не враховують; повторіть положення</translation>
+            <translation>{x} [рядок|рядки|рядків] на {x2} [параметр|параметри|параметрів] не залишають залишку, який показав би дрейф між накопиченнями, й інтервали його не враховують; повторіть положення</translation>
         </message>
         <message>
             <location filename="../../core/fit/linear.py" />
             <source>{x} rows for {x2} parameters leave no degree of freedom: the numbers have no uncertainty and nothing can contradict them; repeat positions</source>
-            <translation>{x} рядків на {x2} параметрів не залишають ступеня вільності: числа не мають невизначеності, і ніщо не може їм суперечити; повторіть положення</translation>
+            <translation>{x} [рядок|рядки|рядків] на {x2} [параметр|параметри|параметрів] не залишають ступеня вільності: числа не мають невизначеності, і ніщо не може їм суперечити; повторіть положення</translation>
         </message>
         <message>
             <location filename="../../core/fit/linear.py" />
@@ -12007,7 +12156,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/model/effect.py" />
             <source>{id} has {len} shape values, not {len2}</source>
-            <translation>{id} має {len} значень форми, а не {len2}</translation>
+            <translation>{id} має {len} [значення|значення|значень] форми, а не {len2}</translation>
         </message>
         <message>
             <location filename="../../core/model/stimulus.py" />
@@ -12072,7 +12221,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/plans/plan.py" />
             <source>[[group]] {title}: {len} numbers for {count} steps</source>
-            <translation>[[group]] {title}: {len} номерів на {count} кроків</translation>
+            <translation>[[group]] {title}: {len} [номер|номери|номерів] на {count} [крок|кроки|кроків]</translation>
         </message>
         <message>
             <location filename="../../core/plans/plan.py" />
@@ -12157,7 +12306,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/procedures/accuracy_notes.py" />
             <source>the errors by the calibration are {times} times larger than its uncertainty and that of the head allow (p = {p_value}): the unit has changed, or it sits askew on the head (see the aligned errors)</source>
-            <translation>похибки за калібруванням у {times} раза більші, ніж допускають його невизначеність і невизначеність головки (p = {p_value}): виріб змінився або стоїть на головці навскіс (див. вирівняні похибки)</translation>
+            <translation>похибки за калібруванням у {times} [раз|раза|разів] більші, ніж допускають його невизначеність і невизначеність головки (p = {p_value}): виріб змінився або стоїть на головці навскіс (див. вирівняні похибки)</translation>
         </message>
         <message>
             <location filename="../../core/procedures/accuracy_plan.py" />
@@ -12195,6 +12344,11 @@ Without a command the window opens.</translation>
             <translation>калібрування приймає {unit}, а коди в {unit2}</translation>
         </message>
         <message>
+            <location filename="../../core/procedures/added.py" />
+            <source>effects are added to plain models alone, not to {join}</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <location filename="../../core/procedures/calibration.py" />
             <source>Q needs three sensors with bias, scale factor and both cross axes each</source>
             <translation>Q потребує трьох датчиків, кожен зі зміщенням нуля, масштабним коефіцієнтом і обома перехресними</translation>
@@ -12228,6 +12382,16 @@ Without a command the window opens.</translation>
             <location filename="../../core/procedures/comparison.py" />
             <source>{unit} and {unit2} cannot be compared</source>
             <translation>{unit} і {unit2} неможливо порівняти</translation>
+        </message>
+        <message>
+            <location filename="../../core/procedures/compensation.py" />
+            <source>the effects of this calibration are as large as its scale factor at these outputs; they cannot be taken out</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/procedures/compensation.py" />
+            <source>this calibration has effects of temperature: state the temperature</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../core/procedures/conformity.py" />
@@ -12292,12 +12456,12 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/procedures/drift/compensate.py" />
             <source>{limit} knots for {blocks} blocks; state between 2 and {blocks2}</source>
-            <translation>{limit} вузлів на {blocks} блоків; вкажіть від 2 до {blocks2}</translation>
+            <translation>{limit} [вузол|вузли|вузлів] на {blocks} [блок|блоки|блоків]; вкажіть від 2 до {blocks2}</translation>
         </message>
         <message>
             <location filename="../../core/procedures/drift/compensate.py" />
             <source>{knots} knots; the memory limit allows 2 to {limit}</source>
-            <translation>{knots} вузлів; обмеження пам'яті допускає від 2 до {limit}</translation>
+            <translation>{knots} [вузол|вузли|вузлів]; обмеження пам'яті допускає від 2 до {limit}</translation>
         </message>
         <message>
             <location filename="../../core/procedures/drift/compensate.py" />
@@ -12337,7 +12501,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/procedures/drift/curves.py" />
             <source>{max} blocks of {block_s} s between {stop} s and {horizon_s} s; at least {fewest_blocks} are needed, with one sample each</source>
-            <translation>{max} блоків по {block_s} s між {stop} s і {horizon_s} s; потрібно щонайменше {fewest_blocks}, з одним відліком у кожному</translation>
+            <translation>{max} [блок|блоки|блоків] по {block_s} s між {stop} s і {horizon_s} s; потрібно щонайменше {fewest_blocks}, з одним відліком у кожному</translation>
         </message>
         <message>
             <location filename="../../core/procedures/drift/curves.py" />
@@ -12417,12 +12581,12 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/procedures/drift/turn_on.py" />
             <source>{label} has {rate} samples per second, {label2} {rate2}; turn-ons of one table need the same</source>
-            <translation>{label} має {rate} відліків за секунду, {label2} — {rate2}; увімкнення однієї таблиці потребують однакової частоти</translation>
+            <translation>{label} має {rate} [відлік|відліки|відліків] за секунду, {label2} — {rate2}; увімкнення однієї таблиці потребують однакової частоти</translation>
         </message>
         <message>
             <location filename="../../core/procedures/drift/turn_on.py" />
             <source>{label}: {len} temperatures, {len2} rows</source>
-            <translation>{label}: {len} температур, {len2} рядків</translation>
+            <translation>{label}: {len} [температура|температури|температур], {len2} [рядок|рядки|рядків]</translation>
         </message>
         <message>
             <location filename="../../core/procedures/drift/turn_on.py" />
@@ -12487,7 +12651,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/procedures/fourier/readings.py" />
             <source>{shape} angles for {shape2} readings; one angle a row is needed</source>
-            <translation>{shape} кутів на {shape2} показів; потрібен один кут на рядок</translation>
+            <translation>{shape} [кут|кути|кутів] на {shape2} [показ|покази|показів]; потрібен один кут на рядок</translation>
         </message>
         <message>
             <location filename="../../core/procedures/fourier/series.py" />
@@ -12527,12 +12691,12 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/procedures/fourier/split.py" />
             <source>the second harmonic is {ratio} times its uncertainty, {separable} are needed: mounting angle and cross-axis sensitivity cannot be told apart; their sum is {value} +- {expanded} deg</source>
-            <translation>друга гармоніка в {ratio} раза більша за свою невизначеність, потрібно {separable}: кут установлення і перехресну чутливість не розрізнити; їх сума {value} +- {expanded} deg</translation>
+            <translation>друга гармоніка в {ratio} [раз|раза|разів] більша за свою невизначеність, потрібно {separable}: кут установлення і перехресну чутливість не розрізнити; їх сума {value} +- {expanded} deg</translation>
         </message>
         <message>
             <location filename="../../core/procedures/fourier/tumble.py" />
             <source>{harmonics} harmonics; the series has 2 or 3</source>
-            <translation>{harmonics} гармонік; ряд має 2 або 3</translation>
+            <translation>{harmonics} [гармоніка|гармоніки|гармонік]; ряд має 2 або 3</translation>
         </message>
         <message>
             <location filename="../../core/procedures/fourier/tumble.py" />
@@ -12567,7 +12731,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/procedures/fourier/tumble.py" />
             <source>the angles leave {gap} degrees of the turn out; an error of the model shows in all coefficients then</source>
-            <translation>кути пропускають {gap} градусів оберту; похибка моделі тоді видна в усіх коефіцієнтах</translation>
+            <translation>кути пропускають {gap} [градус|градуси|градусів] оберту; похибка моделі тоді видна в усіх коефіцієнтах</translation>
         </message>
         <message>
             <location filename="../../core/procedures/fourier/tumble.py" />
@@ -12977,7 +13141,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/procedures/rate_faults.py" />
             <source>row {rows}, {place} deg/s: the mean is {times} times less certain than in the other rows; the table changed its rate during the accumulation</source>
-            <translation>рядок {rows}, {place} deg/s: середнє в {times} раза менш певне, ніж в інших рядках; стенд змінив швидкість під час накопичення</translation>
+            <translation>рядок {rows}, {place} deg/s: середнє в {times} [раз|раза|разів] менш певне, ніж в інших рядках; стенд змінив швидкість під час накопичення</translation>
         </message>
         <message>
             <location filename="../../core/procedures/rate_faults.py" />
@@ -13032,7 +13196,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/procedures/rate_notes.py" />
             <source>the errors of {len} sensors go together ({std} deg/s): the table is at fault, not the sensors. State the uncertainty of its rate, so that it weighs</source>
-            <translation>похибки {len} датчиків змінюються разом ({std} deg/s): винен стенд, а не датчики. Вкажіть невизначеність його швидкості, щоб вона враховувалась</translation>
+            <translation>похибки {len} [датчика|датчиків|датчиків] змінюються разом ({std} deg/s): винен стенд, а не датчики. Вкажіть невизначеність його швидкості, щоб вона враховувалась</translation>
         </message>
         <message>
             <location filename="../../core/procedures/rate_notes.py" />
@@ -13042,7 +13206,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/procedures/rate_notes.py" />
             <source>{channel}: the scale factor is {found} times the expected one, which is the ratio of deg/s and {unit}: the rates or the outputs are in another unit</source>
-            <translation>{channel}: масштабний коефіцієнт у {found} раза більший за очікуваний, а це відношення deg/s і {unit}: швидкості або виходи в інших одиницях</translation>
+            <translation>{channel}: масштабний коефіцієнт у {found} [раз|раза|разів] більший за очікуваний, а це відношення deg/s і {unit}: швидкості або виходи в інших одиницях</translation>
         </message>
         <message>
             <location filename="../../core/procedures/rate_recognition.py" />
@@ -13122,7 +13286,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/procedures/set_angles.py" />
             <source>{len} set angles were given for {len2} rows</source>
-            <translation>дано {len} заданих кутів на {len2} рядків</translation>
+            <translation>дано {len} заданих кутів на {len2} [рядок|рядки|рядків]</translation>
         </message>
         <message>
             <location filename="../../core/procedures/set_angles.py" />
@@ -13157,7 +13321,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/procedures/thermal/cycle.py" />
             <source>order {order} needs {order2} temperatures ({order3} to test it), there are {levels}</source>
-            <translation>порядок {order} потребує {order2} температур ({order3} для перевірки), є {levels}</translation>
+            <translation>порядок {order} потребує {order2} [температури|температур|температур] ({order3} для перевірки), є {levels}</translation>
         </message>
         <message>
             <location filename="../../core/procedures/thermal/cycle.py" />
@@ -13222,7 +13386,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/procedures/thermal/record.py" />
             <source>{len} rows; a record over temperature needs at least {fewest_rows}</source>
-            <translation>{len} рядків; запис за температурою потребує щонайменше {fewest_rows}</translation>
+            <translation>{len} [рядок|рядки|рядків]; запис за температурою потребує щонайменше {fewest_rows}</translation>
         </message>
         <message>
             <location filename="../../core/procedures/thermal/record.py" />
@@ -13292,12 +13456,12 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/procedures/two_files.py" />
             <source>{name}: the first {x} temperatures of the two files are the same digit for digit; one of them was copied, so they cannot tell whether the runs were alike.</source>
-            <translation>{name}: перші {x} температур двох файлів збігаються цифра в цифру; одну з них скопійовано, тож вони не кажуть, чи були серії однаковими.</translation>
+            <translation>{name}: перші {x} [температури|температур|температур] двох файлів збігаються цифра в цифру; одну з них скопійовано, тож вони не кажуть, чи були серії однаковими.</translation>
         </message>
         <message>
             <location filename="../../core/procedures/two_files.py" />
             <source>{name}: the head run was {apart} codes from the table run: the zero moves with temperature.</source>
-            <translation>{name}: серія головки відрізняється на {apart} кодів від серії стенда: нульовий сигнал змінюється з температурою.</translation>
+            <translation>{name}: серія головки відрізняється на {apart} [код|коди|кодів] від серії стенда: нульовий сигнал змінюється з температурою.</translation>
         </message>
         <message>
             <location filename="../../core/procedures/walk.py" />
@@ -13336,6 +13500,16 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../core/records/calibration_json.py" />
+            <source>U in {unit}, {symbol} in {unit2}</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/records/calibration_json.py" />
+            <source>+ e, the added effects</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/records/calibration_json.py" />
             <source>accelerometer or gyro</source>
             <translation>акселерометр або гіроскоп</translation>
         </message>
@@ -13348,6 +13522,16 @@ Without a command the window opens.</translation>
             <location filename="../../core/records/calibration_json.py" />
             <source>x, y, z or empty</source>
             <translation>x, y, z або порожньо</translation>
+        </message>
+        <message>
+            <location filename="../../core/records/calibration_json.py" />
+            <source>an identifier of the catalogue</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/records/calibration_json.py" />
+            <source>names of parameters of the fit</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../core/records/calibration_json.py" />
@@ -13367,7 +13551,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/records/cvgcom.py" />
             <source>{per_line} values; the head names {len} channels</source>
-            <translation>{per_line} значень; заголовок називає {len} каналів</translation>
+            <translation>{per_line} [значення|значення|значень]; заголовок називає {len} [канал|канали|каналів]</translation>
         </message>
         <message>
             <location filename="../../core/records/cvgcom.py" />
@@ -13382,7 +13566,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/records/cvgcom.py" />
             <source>{names_key} has {len} names, {count_key} is {count}</source>
-            <translation>{names_key} має {len} назв, {count_key} дорівнює {count}</translation>
+            <translation>{names_key} має {len} [назву|назви|назв], {count_key} дорівнює {count}</translation>
         </message>
         <message>
             <location filename="../../core/records/cvgcom.py" />
@@ -13433,6 +13617,11 @@ Without a command the window opens.</translation>
             <location filename="../../core/records/drift_exports.py" />
             <source>CSV of the table</source>
             <translation>CSV таблиці</translation>
+        </message>
+        <message>
+            <location filename="../../core/records/export_csv.py" />
+            <source>added to {name}: {name2}, {equation}; {in_use}</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../core/records/export_csv.py" />
@@ -13587,17 +13776,17 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/records/json_fields.py" />
             <source>{size} numbers</source>
-            <translation>{size} чисел</translation>
+            <translation>{size} [число|числа|чисел]</translation>
         </message>
         <message>
             <location filename="../../core/records/json_fields.py" />
             <source>{len} items</source>
-            <translation>{len} елементів</translation>
+            <translation>{len} [елемент|елементи|елементів]</translation>
         </message>
         <message>
             <location filename="../../core/records/json_fields.py" />
             <source>{len} rows</source>
-            <translation>{len} рядків</translation>
+            <translation>{len} [рядок|рядки|рядків]</translation>
         </message>
         <message>
             <location filename="../../core/records/json_fields.py" />
@@ -13622,7 +13811,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/records/json_fields.py" />
             <source>{columns} numbers</source>
-            <translation>{columns} чисел</translation>
+            <translation>{columns} [число|числа|чисел]</translation>
         </message>
         <message>
             <location filename="../../core/records/json_fields.py" />
@@ -13682,7 +13871,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/records/legacy/file.py" />
             <source>holds rows of {len} devices ({join}): say which one</source>
-            <translation>містить рядки {len} пристроїв ({join}): скажіть, якого</translation>
+            <translation>містить рядки {len} [пристрою|пристроїв|пристроїв] ({join}): скажіть, якого</translation>
         </message>
         <message>
             <location filename="../../core/records/legacy/layout.py" />
@@ -13782,12 +13971,12 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/records/legacy/mounts.py" />
             <source>{len} mounts are given, but {count}; {give}</source>
-            <translation>дано {len} встановлень, але {count}; {give}</translation>
+            <translation>дано {len} [встановлення|встановлення|встановлень], але {count}; {give}</translation>
         </message>
         <message>
             <location filename="../../core/records/legacy/mounts.py" />
             <source>in {visits} stays at a temperature</source>
-            <translation>за {visits} зупинок на температурі</translation>
+            <translation>за {visits} [зупинку|зупинки|зупинок] на температурі</translation>
         </message>
         <message>
             <location filename="../../core/records/legacy/mounts.py" />
@@ -13812,7 +14001,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/records/legacy/recognise.py" />
             <source>{len} columns, {title} has {width}</source>
-            <translation>{len} стовпців, {title} має {width}</translation>
+            <translation>{len} [стовпець|стовпці|стовпців], {title} має {width}</translation>
         </message>
         <message>
             <location filename="../../core/records/legacy/recognise.py" />
@@ -13892,7 +14081,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/records/legacy/writer.py" />
             <source>{title} holds {len} outputs, not {len2}</source>
-            <translation>{title} містить {len} виходів, а не {len2}</translation>
+            <translation>{title} містить {len} [вихід|виходи|виходів], а не {len2}</translation>
         </message>
         <message>
             <location filename="../../core/records/legacy/writer.py" />
@@ -13947,7 +14136,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/records/means.py" />
             <source>{len} records, {given} rates or positions for them</source>
-            <translation>{len} записів, {given} швидкостей або положень для них</translation>
+            <translation>{len} [запис|записи|записів], {given} [швидкість|швидкості|швидкостей] або положень для них</translation>
         </message>
         <message>
             <location filename="../../core/records/means.py" />
@@ -14157,7 +14346,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/records/run_table.py" />
             <source>{len} channels are named, {len2} outputs found</source>
-            <translation>названо {len} каналів, знайдено {len2} виходів</translation>
+            <translation>названо {len} [канал|канали|каналів], знайдено {len2} [вихід|виходи|виходів]</translation>
         </message>
         <message>
             <location filename="../../core/records/run_table.py" />
@@ -14192,7 +14381,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/records/run_table.py" />
             <source>{len} cells, the names have {len2}</source>
-            <translation>{len} комірок, назв {len2}</translation>
+            <translation>{len} [комірка|комірки|комірок], назв {len2}</translation>
         </message>
         <message>
             <location filename="../../core/records/series.py" />
@@ -14217,7 +14406,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/records/series_run.py" />
             <source>{lost} of {rows} rows hold no number and were left out</source>
-            <translation>{lost} з {rows} рядків не містять числа, їх пропущено</translation>
+            <translation>{lost} з {rows} [рядка|рядків|рядків] не містять числа, їх пропущено</translation>
         </message>
         <message>
             <location filename="../../core/records/series_run.py" />
@@ -14257,7 +14446,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/records/series_text.py" />
             <source>{len} cells, the rows before have {len2}</source>
-            <translation>{len} комірок, попередні рядки мають {len2}</translation>
+            <translation>{len} [комірка|комірки|комірок], попередні рядки мають {len2}</translation>
         </message>
         <message>
             <location filename="../../core/records/series_text.py" />
@@ -14287,12 +14476,12 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/records/session/journal.py" />
             <source>line {line}, {size} bytes</source>
-            <translation>рядок {line}, {size} байтів</translation>
+            <translation>рядок {line}, {size} [байт|байти|байтів]</translation>
         </message>
         <message>
             <location filename="../../core/records/session/journal.py" />
             <source>{path}, line {line}: damaged ({size} bytes) and left out; whole events follow it: look at the file and the disk before using this session</source>
-            <translation>{path}, рядок {line}: пошкоджено ({size} байтів) і пропущено; далі йдуть цілі події: перевірте файл і диск, перш ніж користуватися цим сеансом</translation>
+            <translation>{path}, рядок {line}: пошкоджено ({size} [байт|байти|байтів]) і пропущено; далі йдуть цілі події: перевірте файл і диск, перш ніж користуватися цим сеансом</translation>
         </message>
         <message>
             <location filename="../../core/records/session/journal.py" />
@@ -14307,7 +14496,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/records/session/journal.py" />
             <source>{path}, line {line}: the program ended while this was being written ({size} bytes); it was never confirmed and is left out, everything before it is whole</source>
-            <translation>{path}, рядок {line}: програма завершилася під час запису ({size} байтів); його не було підтверджено, тож пропущено; усе попереднє ціле</translation>
+            <translation>{path}, рядок {line}: програма завершилася під час запису ({size} [байт|байти|байтів]); його не було підтверджено, тож пропущено; усе попереднє ціле</translation>
         </message>
         <message>
             <location filename="../../core/records/session/journal.py" />
@@ -14437,7 +14626,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/samples/accumulate.py" />
             <source>{lost} of {lost2} samples were lost on the line; the mean is over the rest</source>
-            <translation>втрачено на лінії {lost} з {lost2} відліків; середнє взято за рештою</translation>
+            <translation>втрачено на лінії {lost} з {lost2} [відліку|відліків|відліків]; середнє взято за рештою</translation>
         </message>
         <message>
             <location filename="../../core/samples/accumulate.py" />
@@ -14447,12 +14636,12 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/samples/run.py" />
             <source>{x} outputs, {len} names, {len2} axes</source>
-            <translation>{x} виходів, {len} назв, {len2} осей</translation>
+            <translation>{x} [вихід|виходи|виходів], {len} [назва|назви|назв], {len2} [вісь|осі|осей]</translation>
         </message>
         <message>
             <location filename="../../core/samples/run.py" />
             <source>column {name} has {len} rows, y has {x}</source>
-            <translation>стовпець {name} має {len} рядків, y має {x}</translation>
+            <translation>стовпець {name} має {len} [рядок|рядки|рядків], y має {x}</translation>
         </message>
         <message>
             <location filename="../../core/version.py" />
@@ -14477,12 +14666,12 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../drivers/encode.py" />
             <source>data of shape {shape} for {columns} channels</source>
-            <translation>дані форми {shape} для {columns} каналів</translation>
+            <translation>дані форми {shape} для {columns} [каналу|каналів|каналів]</translation>
         </message>
         <message>
             <location filename="../../drivers/expression.py" />
             <source>an expression has at most {longest} characters</source>
-            <translation>вираз має щонайбільше {longest} символів</translation>
+            <translation>вираз має щонайбільше {longest} [символ|символи|символів]</translation>
         </message>
         <message>
             <location filename="../../drivers/expression.py" />
@@ -14627,7 +14816,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../drivers/profile_sections.py" />
             <source>at {at} leaves no room for {size} bytes</source>
-            <translation>на {at} не лишається місця для {size} байтів</translation>
+            <translation>на {at} не лишається місця для {size} [байта|байтів|байтів]</translation>
         </message>
         <message>
             <location filename="../../drivers/profile_sections.py" />
@@ -14722,7 +14911,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../drivers/profile_sections.py" />
             <source>must hold {count} numbers or expressions, one a column</source>
-            <translation>має містити {count} чисел або виразів, по одному на стовпець</translation>
+            <translation>має містити {count} [число|числа|чисел] або виразів, по одному на стовпець</translation>
         </message>
         <message>
             <location filename="../../drivers/profile_sections.py" />
@@ -14757,7 +14946,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../drivers/profile_sections.py" />
             <source>has {len} entries for {len2} names</source>
-            <translation>має {len} записів на {len2} назв</translation>
+            <translation>має {len} [запис|записи|записів] на {len2} [назву|назви|назв]</translation>
         </message>
         <message>
             <location filename="../../drivers/profile_sections.py" />
@@ -14932,7 +15121,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../drivers/recording.py" />
             <source>its samples have not the {len} channels of its header</source>
-            <translation>його відліки не мають {len} каналів заголовка</translation>
+            <translation>його відліки не мають {len} [каналу|каналів|каналів] заголовка</translation>
         </message>
         <message>
             <location filename="../../drivers/recording.py" />
@@ -14942,7 +15131,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../drivers/recording.py" />
             <source>{count} bytes inside the file are damaged; what they held is a gap.</source>
-            <translation>{count} байтів усередині файла пошкоджено; те, що вони містили, є пропуском.</translation>
+            <translation>{count} [байт|байти|байтів] усередині файла пошкоджено; те, що вони містили, є пропуском.</translation>
         </message>
         <message>
             <location filename="../../drivers/recording.py" />
@@ -14952,7 +15141,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../drivers/recording.py" />
             <source>{refused} bytes found no room on the disk while recording.</source>
-            <translation>{refused} байтів не вмістилися на диску під час запису.</translation>
+            <translation>{refused} [байт|байти|байтів] не вмістилися на диску під час запису.</translation>
         </message>
         <message>
             <location filename="../../drivers/recording.py" />
@@ -15237,7 +15426,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../drivers/virtual/devices.py" />
             <source>effect {effect_id} takes {len} values ({names})</source>
-            <translation>ефект {effect_id} приймає {len} значень ({names})</translation>
+            <translation>ефект {effect_id} приймає {len} [значення|значення|значень] ({names})</translation>
         </message>
         <message>
             <location filename="../../drivers/virtual/devices.py" />
@@ -15302,7 +15491,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../drivers/virtual/truth.py" />
             <source>{held} of {len} intervals (95 %) hold the truth</source>
-            <translation>{held} з {len} інтервалів (95 %) містять істинне значення</translation>
+            <translation>{held} з {len} [інтервалу|інтервалів|інтервалів] (95 %) містять істинне значення</translation>
         </message>
         <message>
             <location filename="../../gui/languages/plain_texts.py" />

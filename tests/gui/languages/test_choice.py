@@ -35,6 +35,15 @@ def test_words_of_views_of_states_and_of_qt_change_together(languages: Languages
     assert QCoreApplication.translate("QPlatformTheme", "Cancel") == "Cancel"
 
 
+def test_russian_is_whole(languages: Languages):
+    languages.choose("ru")
+    assert QCoreApplication.translate("ActionBar", "Hands-free") == "Без рук"
+    assert shown("Accumulate Data") == "Накопить данные"
+    assert shown("12.5 °C") == "12,5 °C"
+    assert QCoreApplication.translate("QPlatformTheme", "Cancel") == "Отмена"
+    assert QLocale().toString(12345.5, "f", 1) == "12345,5"
+
+
 def test_presenters_speak_english_in_every_language(languages: Languages):
     languages.choose("uk")
     assert QCoreApplication.translate("Thermal", "Last Cycle") == "Last Cycle"
@@ -58,10 +67,11 @@ def test_numbers_follow_the_language_and_have_no_groups(languages: Languages):
     assert QLocale().toString(12345.5, "f", 1) == "12345,5"
     languages.choose("en")
     assert QLocale().toString(12345.5, "f", 1) == "12345.5"
-    assert locale_of("uk").decimalPoint() == ","
+    for code in ("uk", "ru"):
+        assert locale_of(code).decimalPoint() == ","
 
 
-@pytest.mark.parametrize("language", ["en", "uk"])
+@pytest.mark.parametrize("language", ["en", "uk", "ru"])
 @pytest.mark.parametrize("typed", ["3.25", "3,25", "3.25 s"])
 def test_fields_take_both_marks(languages: Languages, qtbot: QtBot, language: str, typed: str):
     languages.choose(language)

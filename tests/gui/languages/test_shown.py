@@ -2,11 +2,12 @@
 
 import time
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 
 from gui.languages import update
-from gui.languages.anchors import LABELS, anchor
+from gui.languages.anchors import LABELS, anchor, old_label
 from gui.languages.shown import SHOWN, Book, shown, shown_number, speak
 from gui.languages.ts_file import Message, read_ts
 
@@ -100,9 +101,18 @@ def test_old_labels_stand_below_their_translation():
     assert anchor("nothing was measured") == ""
 
 
-def test_every_old_label_is_translated():
-    translated = {m.source for m in read_ts(update.FOLDER / "calrig_uk.ts") if m.context == SHOWN}
+@pytest.mark.parametrize("path", update.ts_files(), ids=lambda path: path.name)
+def test_every_old_label_is_translated_and_found_again(path: Path):
+    messages = read_ts(path)
+    translated = {m.source for m in messages if m.translation}
     assert translated >= LABELS
+    speak(Book(messages, ","))
+    for message in messages:
+        if message.source in LABELS and message.translation != message.source:
+            words = message.translation.replace("{unit}", "mg").replace("{n}", "12")
+            assert message.source.partition(" ({")[0].partition(" {")[0] in old_label(words)
+    speak(None)
+    assert old_label("Курс") == ""
 
 
 def test_a_long_text_takes_less_than_five_milliseconds():
