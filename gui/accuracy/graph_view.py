@@ -4,13 +4,14 @@ import math
 from itertools import pairwise
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QHelpEvent, QPainter, QPaintEvent, QPen, QPolygonF
-from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
+from PySide6.QtGui import QColor, QHelpEvent, QPainter, QPen, QPolygonF
+from PySide6.QtWidgets import QToolTip, QWidget
 
 from gui.accuracy.state import GraphState, Series
 from gui.languages.shown import shown, shown_number
 from gui.widgets.chart_scale import nice_step, tick_text, ticks
 from gui.widgets.number_text import significant
+from gui.widgets.painted_view import PaintedView
 from gui.widgets.states import Tone
 from gui.widgets.theme import current_theme
 
@@ -20,14 +21,13 @@ _LIMIT_FAR = 6.0
 _NEAR_PX = 10.0
 
 
-class ErrorGraph(QWidget):
+class ErrorGraph(PaintedView):
     """Shows a `GraphState`."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+        super().__init__((40, 18), (20, 9), parent)
         self._state = GraphState()
         self._points: list[tuple[QPointF, str]] = []
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
 
     def render(self, state: GraphState) -> None:
         """Show a page."""
@@ -38,16 +38,7 @@ class ErrorGraph(QWidget):
         self.setAccessibleDescription(", ".join(series.name for series in state.series))
         self.update()
 
-    def sizeHint(self) -> QSize:
-        unit = self.fontMetrics().height()
-        return QSize(40 * unit, 18 * unit)
-
-    def minimumSizeHint(self) -> QSize:
-        unit = self.fontMetrics().height()
-        return QSize(20 * unit, 9 * unit)
-
     def paint(self, painter: QPainter, size: QSize) -> None:
-        """Draw on any painter, for export."""
         theme = current_theme()
         painter.setFont(self.font())
         unit = painter.fontMetrics().height()
@@ -200,11 +191,6 @@ class ErrorGraph(QWidget):
         ]
         distance, words = min(near, default=(math.inf, ""))
         return words if distance <= _NEAR_PX else ""
-
-    def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002
-        painter = QPainter(self)
-        self.paint(painter, self.size())
-        painter.end()
 
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):

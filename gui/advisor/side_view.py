@@ -3,10 +3,11 @@
 from dataclasses import replace
 
 from PySide6.QtCore import QEvent, Signal
-from PySide6.QtWidgets import QCheckBox, QFormLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QCheckBox, QLabel, QVBoxLayout, QWidget
 
 from core.procedures.prediction.bench import TOOLS
 from gui.advisor.state import AdvisorChoices, AdvisorState
+from gui.widgets.field_form import FieldForm
 from gui.widgets.fields import ChoiceField, NumberField
 from gui.widgets.noise_fields import NoiseFields
 
@@ -54,27 +55,19 @@ class AdvisorSide(QWidget):
             font = head.font()
             font.setBold(True)
             head.setFont(font)
-        self._labels = [QLabel() for _ in range(9)]
-        sensor, rig = QFormLayout(), QFormLayout()
-        for form in (sensor, rig):
-            form.setVerticalSpacing(unit // 3)
-        fields = (self.kind, self.axis, *self._numbers)
-        for place, (label, field) in enumerate(zip(self._labels, fields, strict=True)):
-            label.setBuddy(field)
-            (sensor if place < 2 else rig).addRow(label, field)
+        self._sensor, self._rig = FieldForm((self.kind, self.axis)), FieldForm(self._numbers)
         column.addWidget(self._heads[0])
-        column.addLayout(sensor)
+        column.addLayout(self._sensor)
         column.addWidget(self.noise)
         column.addWidget(self._heads[1])
         for tool in self.tools.values():
             column.addWidget(tool)
             tool.toggled.connect(self._on_edited)
-        column.addLayout(rig)
+        column.addLayout(self._rig)
         column.addStretch(1)
         for choice in (self.kind, self.axis):
             choice.currentIndexChanged.connect(self._on_edited)
         for number in self._numbers:
-            number.setMinimumWidth(6 * unit)
             number.valueChanged.connect(self._on_edited)
         self._rendering = True
         self._retranslate()
@@ -140,9 +133,11 @@ class AdvisorSide(QWidget):
         }
         for name, tool in self.tools.items():
             tool.setText(tools[name])
-        words = (
+        sensor = (
             (self.tr("Kind"), ""),
             (self.tr("Axis"), self.tr("Case axis along which it looks.")),
+        )
+        rig = (
             (self.tr("Accumulate"), self.tr("At each position; 0 takes the time of the plan.")),
             (self.tr("Turning"), self.tr("Time that a change of the position takes.")),
             (self.tr("Local g"), ""),
@@ -151,10 +146,6 @@ class AdvisorSide(QWidget):
             (self.tr("u(table)"), self.tr("Of one setting of the rate table.")),
             (self.tr("Latitude"), self.tr("North positive, south negative.")),
         )
-        for label, (text, tip) in zip(self._labels, words, strict=True):
-            label.setText(text)
-            buddy = label.buddy()
-            if buddy is not None:
-                buddy.setAccessibleName(text)
-                buddy.setToolTip(tip)
+        self._sensor.say(sensor)
+        self._rig.say(rig)
         self.accumulation.setSpecialValueText(self.tr("as the plan"))

@@ -4,12 +4,13 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QLabel, QWidget
+from PySide6.QtWidgets import QCheckBox, QComboBox, QWidget
 
 from core.records.noise_study import StudyRequest
 from gui.allan.state import ChoiceState
 from gui.allan.texts import DEVIATIONS
 from gui.languages.shown import shown, shown_number
+from gui.widgets.field_form import FieldForm
 from gui.widgets.fields import ChoiceField, NumberField
 
 _UNITS = ("", "deg/s", "m/s^2", "code", "V")
@@ -36,11 +37,6 @@ class SettingsView(QWidget):
         for key in ("", *DEVIATIONS):
             self.beside.addItem("", key)
         self.unit.addItems(_UNITS)
-        self._labels = [QLabel() for _ in range(8)]
-        form = QFormLayout(self)
-        unit = self.fontMetrics().height()
-        form.setContentsMargins(unit // 2, unit // 2, unit // 2, unit // 2)
-        form.setVerticalSpacing(unit // 3)
         fields = (
             self.channel,
             self.rate,
@@ -51,14 +47,13 @@ class SettingsView(QWidget):
             self.order,
             self.beside,
         )
-        for label, field in zip(self._labels, fields, strict=True):
-            label.setBuddy(field)
-            form.addRow(label, field)
+        form = self._form = FieldForm(fields)
+        unit = self.fontMetrics().height()
+        form.setContentsMargins(unit // 2, unit // 2, unit // 2, unit // 2)
         form.addRow(self.increments)
+        self.setLayout(form)
         for field in (self.rate, self.scale, self.bandwidth):
             field.valueChanged.connect(self._on_edited)
-            # Their largest numbers, which nobody enters, would make the pane too wide.
-            field.setMinimumWidth(6 * unit)
         for field in (self.channel, self.unit, self.regressor, self.order, self.beside):
             field.currentIndexChanged.connect(self._on_edited)
             field.setSizeAdjustPolicy(
@@ -149,13 +144,7 @@ class SettingsView(QWidget):
                 self.tr("Another deviation beside Allan's; needs the package AllanTools."),
             ),
         )
-        for label, (text, tip) in zip(self._labels, words, strict=True):
-            label.setText(text)
-            label.setToolTip(tip)
-            buddy = label.buddy()
-            if buddy is not None:
-                buddy.setAccessibleName(text)
-                buddy.setToolTip(tip)
+        self._form.say(words)
         names = (self.tr("nothing"), self.tr("Hadamard"), self.tr("modified"), self.tr("total"))
         for place, name in enumerate(names):
             self.beside.setItemText(place, name)

@@ -10,7 +10,6 @@ from PySide6.QtWidgets import (
     QListWidget,
     QListWidgetItem,
     QSizePolicy,
-    QSplitter,
     QStackedWidget,
     QVBoxLayout,
     QWidget,
@@ -22,6 +21,8 @@ from gui.allan.state import AllanState, RecordRow
 from gui.languages.shown import shown
 from gui.widgets.action_bar import ActionBar
 from gui.widgets.findings_view import FindingsView
+from gui.widgets.hint_label import HintLabel
+from gui.widgets.panes import lay_panes
 from gui.widgets.theme import current_theme
 from gui.widgets.toggle import Toggle
 from gui.widgets.word_label import WordLabel
@@ -54,7 +55,7 @@ class AllanView(QWidget):
         self.findings = FindingsView()
         self.action_bar = ActionBar()
         self.band, self.terms = Toggle(), Toggle()
-        self.reading, self.hint = WordLabel(), WordLabel()
+        self.reading, self.hint = WordLabel(), HintLabel()
         self.plot: AllanPlot | None = None
         self._dialog: QFileDialog | None = None
         self._middle = QStackedWidget()
@@ -75,13 +76,6 @@ class AllanView(QWidget):
         column.setSpacing(0)
         column.addWidget(self.list, 1)
         column.addWidget(self.settings)
-        self.hint.setWordWrap(True)
-        self.hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.hint.setTextFormat(Qt.TextFormat.PlainText)
-        font = self.hint.font()
-        font.setPointSizeF(font.pointSizeF() * 1.2)
-        self.hint.setFont(font)
-        self.hint.setContentsMargins(3 * unit, unit, 3 * unit, unit)
         self.reading.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         # Its words come and go: they must not move the panes.
         self.reading.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
@@ -99,19 +93,8 @@ class AllanView(QWidget):
         self._plot_column.addWidget(self.reading)
         self._middle.addWidget(self.hint)
         self._middle.addWidget(self._page)
-        across = QSplitter(Qt.Orientation.Horizontal)
-        for part in (left, self._middle, self.findings):
-            across.addWidget(part)
-        across.setChildrenCollapsible(False)
-        across.setStretchFactor(0, 0)
-        across.setStretchFactor(1, 3)
-        across.setStretchFactor(2, 1)
-        across.setSizes([12 * unit, 18 * unit, 36 * unit])
-        rows = QVBoxLayout(self)
-        rows.setContentsMargins(0, 0, 0, 0)
-        rows.setSpacing(0)
-        rows.addWidget(across, 1)
-        rows.addWidget(self.action_bar)
+        panes = ((left, 0, 12), (self._middle, 3, 18), (self.findings, 1, 36))
+        lay_panes(self, panes, self.action_bar)
 
     def _connect(self) -> None:
         presenter = self._presenter

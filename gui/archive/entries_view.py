@@ -1,11 +1,9 @@
 """The list of what was found."""
 
 from PySide6.QtCore import (
-    QAbstractTableModel,
     QItemSelection,
     QItemSelectionModel,
     QModelIndex,
-    QPersistentModelIndex,
     QSize,
     Qt,
     Signal,
@@ -16,9 +14,9 @@ from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidge
 from gui.archive.state import ListRow
 from gui.languages.shown import shown
 from gui.widgets.states import Tone
+from gui.widgets.table_model import Index, TableModel
 from gui.widgets.theme import current_theme
 
-_Index = QModelIndex | QPersistentModelIndex
 _VERDICT = 3
 _SIGNS = {Tone.BAD: "✕ ", Tone.DOUBT: "△ "}
 
@@ -106,24 +104,13 @@ class EntryTable(QTableView):
         return QSize(26 * unit, 20 * unit)
 
 
-class _Model(QAbstractTableModel):
-    def __init__(self, parent: QWidget) -> None:
-        super().__init__(parent)
-        self.rows: tuple[ListRow, ...] = ()
-        self.header: tuple[str, ...] = ()
-
+class _Model(TableModel):
     def replace(self, rows: tuple[ListRow, ...], header: tuple[str, ...]) -> None:
         self.beginResetModel()
         self.rows, self.header = rows, header
         self.endResetModel()
 
-    def rowCount(self, parent: _Index = QModelIndex()) -> int:  # noqa: B008
-        return 0 if parent.isValid() else len(self.rows)
-
-    def columnCount(self, parent: _Index = QModelIndex()) -> int:  # noqa: B008
-        return 0 if parent.isValid() else len(self.header)
-
-    def data(self, index: _Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
         row = self.rows[index.row()]
         text = shown(row.cells[index.column()])
         if role == Qt.ItemDataRole.DisplayRole:
@@ -132,18 +119,4 @@ class _Model(QAbstractTableModel):
             return text
         if role == Qt.ItemDataRole.ForegroundRole and index.column() == _VERDICT:
             return QColor(current_theme().tones[row.tone]) if row.tone in _SIGNS else None
-        return None
-
-    def headerData(
-        self,
-        section: int,
-        orientation: Qt.Orientation,
-        role: int = Qt.ItemDataRole.DisplayRole,
-    ) -> object:
-        if orientation is Qt.Orientation.Vertical:
-            return None
-        if role == Qt.ItemDataRole.DisplayRole:
-            return self.header[section]
-        if role == Qt.ItemDataRole.TextAlignmentRole:
-            return Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
         return None

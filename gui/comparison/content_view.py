@@ -1,11 +1,10 @@
 """The table of the comparison, its doubts and its export."""
 
-from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QStackedWidget, QWidget
 
 from gui.comparison.state import ComparisonState
 from gui.widgets.findings_view import FindingsView
-from gui.widgets.word_label import WordLabel
+from gui.widgets.hint_label import HintLabel
 
 
 class ComparisonContent(QStackedWidget):
@@ -13,15 +12,8 @@ class ComparisonContent(QStackedWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        unit = self.fontMetrics().height()
         self.findings = FindingsView()
-        self._hint = WordLabel()
-        self._hint.setWordWrap(True)
-        self._hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self._hint.setContentsMargins(3 * unit, unit, 3 * unit, unit)
-        font = self._hint.font()
-        font.setPointSizeF(font.pointSizeF() * 1.2)
-        self._hint.setFont(font)
+        self._hint = HintLabel()
         self.addWidget(self._hint)
         self.addWidget(self.findings)
 

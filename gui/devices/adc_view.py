@@ -1,14 +1,6 @@
 """The panel View ADC Data."""
 
-from PySide6.QtCore import (
-    QAbstractTableModel,
-    QEvent,
-    QModelIndex,
-    QPersistentModelIndex,
-    QSize,
-    Qt,
-    QTimer,
-)
+from PySide6.QtCore import QEvent, QSize, Qt, QTimer
 from PySide6.QtGui import QGuiApplication, QHideEvent, QKeySequence, QPalette, QShortcut, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -25,6 +17,7 @@ from gui.devices.adc import AdcPresenter, AdcState
 from gui.languages.shown import shown
 from gui.widgets.number_text import aligned
 from gui.widgets.states import TableState
+from gui.widgets.table_model import Index, TableModel
 from gui.widgets.table_text import table_text
 from gui.widgets.word_label import WordLabel
 
@@ -146,7 +139,7 @@ class AdcPanel(QWidget):
         self.table.setAccessibleName(self.tr("ADC data of all channels"))
 
 
-class _Model(QAbstractTableModel):
+class _Model(TableModel):
     """Keeps its selection while the numbers run."""
 
     def __init__(self, parent: QWidget) -> None:
@@ -160,7 +153,7 @@ class _Model(QAbstractTableModel):
         other = table.header != self.table.header or names != [row[0] for row in self.table.rows]
         if other:
             self.beginResetModel()
-        self.table = table
+        self.table, self.rows, self.header = table, table.rows, table.header
         columns = [list(column) for column in zip(*table.rows, strict=True)]
         self._shown = [
             column if number < table.words else aligned(column)
@@ -173,38 +166,13 @@ class _Model(QAbstractTableModel):
             self.dataChanged.emit(self.index(0, 0), last, [Qt.ItemDataRole.DisplayRole])
         return other
 
-    def rowCount(self, parent: QModelIndex | QPersistentModelIndex = QModelIndex()) -> int:  # noqa: B008
-        return 0 if parent.isValid() else len(self.table.rows)
+    def side(self, column: int) -> Qt.AlignmentFlag:
+        words = column < self.table.words
+        return Qt.AlignmentFlag.AlignLeft if words else Qt.AlignmentFlag.AlignRight
 
-    def columnCount(self, parent: QModelIndex | QPersistentModelIndex = QModelIndex()) -> int:  # noqa: B008
-        return 0 if parent.isValid() else len(self.table.header)
-
-    def data(
-        self, index: QModelIndex | QPersistentModelIndex, role: int = Qt.ItemDataRole.DisplayRole
-    ) -> object:
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
         if role == Qt.ItemDataRole.DisplayRole:
             return shown(self._shown[index.column()][index.row()])
         if role == Qt.ItemDataRole.TextAlignmentRole:
-            words = index.column() < self.table.words
-            side = Qt.AlignmentFlag.AlignLeft if words else Qt.AlignmentFlag.AlignRight
-            return side | Qt.AlignmentFlag.AlignVCenter
-        return None
-
-    def headerData(
-        self,
-        section: int,
-        orientation: Qt.Orientation,
-        role: int = Qt.ItemDataRole.DisplayRole,
-    ) -> object:
-        if orientation is Qt.Orientation.Vertical:
-            return None
-        if role == Qt.ItemDataRole.DisplayRole:
-            return shown(self.table.header[section])
-        if role == Qt.ItemDataRole.TextAlignmentRole:
-            side = (
-                Qt.AlignmentFlag.AlignLeft
-                if section < self.table.words
-                else Qt.AlignmentFlag.AlignRight
-            )
-            return side | Qt.AlignmentFlag.AlignVCenter
+            return self.alignment(index.column())
         return None

@@ -4,9 +4,10 @@ import math
 from dataclasses import replace
 
 from PySide6.QtCore import QEvent, Signal
-from PySide6.QtWidgets import QFormLayout, QFrame, QLabel, QLineEdit, QWidget
+from PySide6.QtWidgets import QFrame, QLineEdit, QWidget
 
 from gui.drift.state import ChoiceState, Settings
+from gui.widgets.field_form import FieldForm
 from gui.widgets.fields import NumberField
 
 _UNKNOWN_C = -274.0
@@ -36,35 +37,19 @@ class SettingsView(QWidget):
         self.rate = NumberField(0.0, 1e6, 3, "Hz")
         self.scale = NumberField(0.0, 1e9, 6)
         self.channel = QLineEdit()
-        self._fields = (
-            self.ambient,
-            self.start,
-            self.stop,
-            self.block,
-            self.horizon,
-            self.limit,
-            self.memory,
-            self.knots,
-            self.channel,
-            self.rate,
-            self.scale,
-        )
-        self._labels = [QLabel() for _ in self._fields]
-        form = QFormLayout(self)
+        alignment = (self.start, self.stop, self.block, self.horizon)
+        table = (self.limit, self.memory, self.knots)
+        output = (self.rate, self.scale)
+        form = self._form = FieldForm((self.ambient, *alignment, *table, self.channel, *output))
         unit = self.fontMetrics().height()
         form.setContentsMargins(unit // 2, unit // 2, unit // 2, unit // 2)
-        form.setVerticalSpacing(unit // 3)
-        for place, (label, field) in enumerate(zip(self._labels, self._fields, strict=True)):
-            label.setBuddy(field)
-            form.addRow(label, field)
-            # Their largest numbers, which nobody enters, would make the pane too wide.
-            field.setMinimumWidth(6 * unit)
-            if place in (0, 4, 7):
-                line = QFrame()
-                line.setFrameShape(QFrame.Shape.HLine)
-                form.addRow(line)
-            if isinstance(field, NumberField) and field is not self.ambient:
-                field.valueChanged.connect(self._on_edited)
+        for above in (self.start, self.limit, self.channel):
+            line = QFrame()
+            line.setFrameShape(QFrame.Shape.HLine)
+            form.insertRow(form.getWidgetPosition(above)[0], line)
+        self.setLayout(form)
+        for field in (*alignment, *table, *output):
+            field.valueChanged.connect(self._on_edited)
         self.ambient.valueChanged.connect(self._on_ambient)
         self.channel.editingFinished.connect(self._on_edited)
         self._retranslate()
@@ -144,11 +129,7 @@ class SettingsView(QWidget):
             (self.tr("Rate"), self.tr("Samples per second, where the file does not tell it.")),
             (self.tr("Scale factor"), self.tr("Output for 1 °/s.")),
         )
-        for label, field, (text, tip) in zip(self._labels, self._fields, words, strict=True):
-            label.setText(text)
-            label.setToolTip(tip)
-            field.setToolTip(tip)
-            field.setAccessibleName(text)
+        self._form.say(words)
         self.ambient.setSpecialValueText(self.tr("by the chip"))
         self.horizon.setSpecialValueText(self.tr("whole record"))
         self.memory.setSpecialValueText(self.tr("by tp alone"))

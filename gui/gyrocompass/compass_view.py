@@ -3,13 +3,14 @@
 import math
 
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QPainter, QPainterPath, QPaintEvent, QPen
-from PySide6.QtWidgets import QSizePolicy, QWidget
+from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen
+from PySide6.QtWidgets import QWidget
 
 from core.units import RAD_PER_DEG
 from gui.gyrocompass.state import RoseState
 from gui.languages.shown import shown_number
 from gui.widgets.number_text import value_and_uncertainty
+from gui.widgets.painted_view import PaintedView
 from gui.widgets.states import Tone
 from gui.widgets.theme import current_theme
 
@@ -18,13 +19,12 @@ _LEAST_WEDGE_DEG = 6.0
 _POINTS = {0: "N", 90: "E", 180: "S", 270: "W"}
 
 
-class CompassView(QWidget):
+class CompassView(PaintedView):
     """Draws a `RoseState`; north is up, clockwise is positive."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+        super().__init__((26, 22), (14, 13), parent)
         self._state = RoseState()
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
 
     def render(self, state: RoseState) -> None:
         """Show a heading."""
@@ -33,21 +33,7 @@ class CompassView(QWidget):
         self.setAccessibleDescription(self._words())
         self.update()
 
-    def sizeHint(self) -> QSize:
-        unit = self.fontMetrics().height()
-        return QSize(26 * unit, 22 * unit)
-
-    def minimumSizeHint(self) -> QSize:
-        unit = self.fontMetrics().height()
-        return QSize(14 * unit, 13 * unit)
-
-    def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002
-        painter = QPainter(self)
-        self.paint(painter, self.size())
-        painter.end()
-
     def paint(self, painter: QPainter, size: QSize) -> None:
-        """Draw on any painter, for export."""
         theme = current_theme()
         painter.fillRect(QRectF(0, 0, size.width(), size.height()), QColor(theme.window))
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)

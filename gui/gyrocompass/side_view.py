@@ -4,9 +4,10 @@ import math
 from dataclasses import replace
 
 from PySide6.QtCore import QEvent, Signal
-from PySide6.QtWidgets import QCheckBox, QFormLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QCheckBox, QVBoxLayout, QWidget
 
 from gui.gyrocompass.state import CompassChoices, CompassState
+from gui.widgets.field_form import FieldForm
 from gui.widgets.fields import ChoiceField, NumberField
 from gui.widgets.noise_fields import NoiseFields
 
@@ -37,10 +38,7 @@ class CompassSide(QWidget):
         unit = self.fontMetrics().height()
         column = QVBoxLayout(self)
         column.setContentsMargins(unit // 2, unit // 2, unit // 2, unit // 2)
-        form = QFormLayout()
-        form.setVerticalSpacing(unit // 3)
-        self._labels = [QLabel() for _ in range(8)]
-        self._numbers = (
+        numbers = (
             self.latitude,
             self.scale,
             self.tilt,
@@ -48,19 +46,15 @@ class CompassSide(QWidget):
             self.pause,
             self.target,
         )
-        fields = (self.channel, self.headings, *self._numbers)
-        for label, field in zip(self._labels, fields, strict=True):
-            label.setBuddy(field)
-            form.addRow(label, field)
-        form.addRow(self.ramp)
-        column.addLayout(form)
+        self._form = FieldForm((self.channel, self.headings, *numbers))
+        self._form.addRow(self.ramp)
+        column.addLayout(self._form)
         column.addWidget(self.noise)
         column.addStretch(1)
         for choice in (self.channel, self.headings):
             choice.currentIndexChanged.connect(self._on_edited)
             choice.setMinimumContentsLength(6)
-        for number in self._numbers:
-            number.setMinimumWidth(6 * unit)
+        for number in numbers:
             number.valueChanged.connect(self._on_edited)
         self.ramp.toggled.connect(self._on_edited)
         self._retranslate()
@@ -124,12 +118,7 @@ class CompassSide(QWidget):
             (self.tr("Turning"), self.tr("Time to turn and settle before each heading.")),
             (self.tr("Wanted u"), self.tr("Standard uncertainty of the heading; 0 for none.")),
         )
-        for label, (text, tip) in zip(self._labels, words, strict=True):
-            label.setText(text)
-            buddy = label.buddy()
-            if buddy is not None:
-                buddy.setAccessibleName(text)
-                buddy.setToolTip(tip)
+        self._form.say(words)
         self.latitude.setSpecialValueText(self.tr("not stated"))
         self.scale.setSpecialValueText("")
         self.ramp.setText(self.tr("The drift changes steadily"))

@@ -1,13 +1,6 @@
 """The page Means: a table, what was set for each record, and the run file for the fits."""
 
-from PySide6.QtCore import (
-    QAbstractTableModel,
-    QEvent,
-    QModelIndex,
-    QPersistentModelIndex,
-    Qt,
-    Signal,
-)
+from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QGuiApplication, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import (
     QHBoxLayout,
@@ -20,9 +13,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from gui.languages.shown import shown, shown_number
+from gui.languages.shown import shown_number
 from gui.live.means import POSITIONS, RATES, MeansState
 from gui.widgets.fields import ChoiceField
+from gui.widgets.table_model import Index, TableModel
 
 _GIVEN = 1
 """Column that the operator fills."""
@@ -148,7 +142,7 @@ class _Table(QTableView):
         self.given.emit(row, [text])
 
 
-class _Model(QAbstractTableModel):
+class _Model(TableModel):
     entered = Signal(int, str)
 
     def __init__(self, parent: QWidget) -> None:
@@ -157,6 +151,7 @@ class _Model(QAbstractTableModel):
 
     def take(self, state: MeansState) -> None:
         before, self._state = self._state, state
+        self.rows, self.header = state.rows, state.header
         if (before.header, len(before.rows)) == (state.header, len(state.rows)):
             # No reset: the cell that is being walked to keeps the focus.
             if state.rows:
@@ -166,51 +161,24 @@ class _Model(QAbstractTableModel):
         self.beginResetModel()
         self.endResetModel()
 
-    def rowCount(self, parent: QModelIndex | QPersistentModelIndex = QModelIndex()) -> int:  # noqa: B008
-        return 0 if parent.isValid() else len(self._state.rows)
-
-    def columnCount(self, parent: QModelIndex | QPersistentModelIndex = QModelIndex()) -> int:  # noqa: B008
-        return 0 if parent.isValid() else len(self._state.header)
-
-    def flags(self, index: QModelIndex | QPersistentModelIndex) -> Qt.ItemFlag:
+    def flags(self, index: Index) -> Qt.ItemFlag:
         flags = super().flags(index)
         return flags | Qt.ItemFlag.ItemIsEditable if index.column() == _GIVEN else flags
 
-    def data(
-        self, index: QModelIndex | QPersistentModelIndex, role: int = Qt.ItemDataRole.DisplayRole
-    ) -> object:
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
         if role in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.EditRole):
             text = self._state.rows[index.row()][index.column()]
             empty = index.column() == _GIVEN and role == Qt.ItemDataRole.DisplayRole and not text
             return "…" if empty else shown_number(text)
         if role == Qt.ItemDataRole.TextAlignmentRole:
-            return _side(index.column())
+            return self.alignment(index.column())
         return None
 
-    def setData(
-        self,
-        index: QModelIndex | QPersistentModelIndex,
-        value: object,
-        role: int = Qt.ItemDataRole.EditRole,
-    ) -> bool:
+    def setData(self, index: Index, value: object, role: int = Qt.ItemDataRole.EditRole) -> bool:
         if role != Qt.ItemDataRole.EditRole or index.column() != _GIVEN:
             return False
         self.entered.emit(index.row(), str(value))
         return True
 
-    def headerData(
-        self,
-        section: int,
-        orientation: Qt.Orientation,
-        role: int = Qt.ItemDataRole.DisplayRole,
-    ) -> object:
-        if orientation is Qt.Orientation.Vertical:
-            return None
-        if role == Qt.ItemDataRole.DisplayRole:
-            return shown(self._state.header[section])
-        return _side(section) if role == Qt.ItemDataRole.TextAlignmentRole else None
-
-
-def _side(column: int) -> Qt.AlignmentFlag:
-    side = Qt.AlignmentFlag.AlignLeft if column < _WORDS else Qt.AlignmentFlag.AlignRight
-    return side | Qt.AlignmentFlag.AlignVCenter
+    def side(self, column: int) -> Qt.AlignmentFlag:
+        return Qt.AlignmentFlag.AlignLeft if column < _WORDS else Qt.AlignmentFlag.AlignRight

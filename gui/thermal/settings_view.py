@@ -4,9 +4,10 @@ import math
 from dataclasses import replace
 
 from PySide6.QtCore import QEvent, Signal
-from PySide6.QtWidgets import QFormLayout, QLabel, QLineEdit, QWidget
+from PySide6.QtWidgets import QLineEdit, QWidget
 
 from gui.thermal.state import FOUND, Settings
+from gui.widgets.field_form import FieldForm
 from gui.widgets.fields import NumberField
 
 _HIGHEST = 5
@@ -29,19 +30,12 @@ class SettingsView(QWidget):
         self.reference = NumberField(_UNKNOWN_C, 300.0, 1, "°C")
         self.gravity = NumberField(9.7, 9.9, 5, "m/s²")
         self.outputs = QLineEdit()
-        fields = (self.bias_order, self.scale_order, self.reference, self.gravity)
-        self._fields = (*fields, self.outputs)
-        self._labels = [QLabel() for _ in self._fields]
-        form = QFormLayout(self)
+        numbers = (self.bias_order, self.scale_order, self.reference, self.gravity)
+        form = self._form = FieldForm((*numbers, self.outputs))
         unit = self.fontMetrics().height()
         form.setContentsMargins(unit // 2, unit // 2, unit // 2, unit // 2)
-        form.setVerticalSpacing(unit // 3)
-        for label, field in zip(self._labels, self._fields, strict=True):
-            label.setBuddy(field)
-            form.addRow(label, field)
-            # Their largest numbers, which nobody enters, would make the pane too wide.
-            field.setMinimumWidth(6 * unit)
-        for field in fields:
+        self.setLayout(form)
+        for field in numbers:
             field.valueChanged.connect(self._on_edited)
         self.outputs.editingFinished.connect(self._on_edited)
         self._retranslate()
@@ -96,11 +90,7 @@ class SettingsView(QWidget):
             (self.tr("g"), self.tr("Taken where the files state none.")),
             (self.tr("Outputs"), self.tr("Of a record: names, between commas.")),
         )
-        for label, field, (text, tip) in zip(self._labels, self._fields, words, strict=True):
-            label.setText(text)
-            label.setToolTip(tip)
-            field.setToolTip(tip)
-            field.setAccessibleName(text)
+        self._form.say(words)
         self.bias_order.setSpecialValueText(self.tr("found"))
         self.scale_order.setSpecialValueText(self.tr("found"))
         self.reference.setSpecialValueText(self.tr("the first"))

@@ -3,23 +3,23 @@
 import math
 
 from PySide6.QtCore import QLineF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QSizePolicy, QWidget
+from PySide6.QtGui import QColor, QPainter, QPen
+from PySide6.QtWidgets import QWidget
 
 from gui.languages.shown import shown, shown_number
 from gui.tumble.state import BarsState, HarmonicBar
 from gui.widgets.number_text import significant
+from gui.widgets.painted_view import PaintedView
 from gui.widgets.states import Tone
 from gui.widgets.theme import current_theme
 
 
-class HarmonicsView(QWidget):
+class HarmonicsView(PaintedView):
     """Draws a `BarsState` over a logarithmic axis; what is not above its threshold is hollow."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+        super().__init__((30, 12), (14, 9), parent)
         self._state = BarsState((), "")
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
 
     def render(self, state: BarsState) -> None:
         """Show coefficients."""
@@ -29,21 +29,7 @@ class HarmonicsView(QWidget):
         self.setAccessibleDescription(", ".join(seen))
         self.update()
 
-    def sizeHint(self) -> QSize:
-        unit = self.fontMetrics().height()
-        return QSize(30 * unit, 12 * unit)
-
-    def minimumSizeHint(self) -> QSize:
-        unit = self.fontMetrics().height()
-        return QSize(14 * unit, 9 * unit)
-
-    def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002
-        painter = QPainter(self)
-        self.paint(painter, self.size())
-        painter.end()
-
     def paint(self, painter: QPainter, size: QSize) -> None:
-        """Draw on any painter, for export."""
         theme = current_theme()
         painter.fillRect(QRectF(0, 0, size.width(), size.height()), QColor(theme.window))
         if not self._state.bars:

@@ -4,14 +4,15 @@ import math
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QPainter, QPainterPath, QPaintEvent, QPen
-from PySide6.QtWidgets import QSizePolicy, QWidget
+from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen
+from PySide6.QtWidgets import QWidget
 
 from core.units import RAD_PER_DEG
 from gui.languages.shown import shown, shown_number
 from gui.tumble.state import PolarSeries, PolarState
 from gui.widgets.chart_scale import nice_step, tick_text
 from gui.widgets.number_text import significant
+from gui.widgets.painted_view import PaintedView
 from gui.widgets.states import Tone
 from gui.widgets.theme import current_theme
 
@@ -23,13 +24,12 @@ _SPOKE_DEG = 30
 _MOST_NAMED = 6
 
 
-class PolarView(QWidget):
+class PolarView(PaintedView):
     """Draws a `PolarState`; 0 degrees is level at the right, 90 degrees is up."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+        super().__init__((30, 24), (14, 13), parent)
         self._state = PolarState((), "")
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
 
     def render(self, state: PolarState) -> None:
         """Show residuals."""
@@ -40,21 +40,7 @@ class PolarView(QWidget):
         self.setAccessibleDescription(words.format(value=significant(worst, 2), unit=state.unit))
         self.update()
 
-    def sizeHint(self) -> QSize:
-        unit = self.fontMetrics().height()
-        return QSize(30 * unit, 24 * unit)
-
-    def minimumSizeHint(self) -> QSize:
-        unit = self.fontMetrics().height()
-        return QSize(14 * unit, 13 * unit)
-
-    def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002
-        painter = QPainter(self)
-        self.paint(painter, self.size())
-        painter.end()
-
     def paint(self, painter: QPainter, size: QSize) -> None:
-        """Draw on any painter, for export."""
         theme = current_theme()
         painter.fillRect(QRectF(0, 0, size.width(), size.height()), QColor(theme.window))
         if not self._state.series:

@@ -1,9 +1,10 @@
 """What the operator decides about a tumble."""
 
 from PySide6.QtCore import QEvent, Signal
-from PySide6.QtWidgets import QCheckBox, QFormLayout, QLabel, QWidget
+from PySide6.QtWidgets import QCheckBox, QWidget
 
 from gui.tumble.state import TumbleChoices, TumbleState
+from gui.widgets.field_form import FieldForm
 from gui.widgets.fields import ChoiceField, NumberField
 
 
@@ -23,21 +24,16 @@ class TumbleSide(QWidget):
         self.u_g = NumberField(0.0, 0.1, 5, "m/s²")
         self.head_u = NumberField(0.0, 3600.0, 1, "″")
         self.drift, self.projection = QCheckBox(), QCheckBox()
+        numbers = (self.g, self.u_g, self.head_u)
+        form = self._form = FieldForm((self.channel, self.harmonics, *numbers))
         unit = self.fontMetrics().height()
-        form = QFormLayout(self)
         form.setContentsMargins(unit // 2, unit // 2, unit // 2, unit // 2)
-        form.setVerticalSpacing(unit // 3)
-        self._labels = [QLabel() for _ in range(5)]
-        fields = (self.channel, self.harmonics, self.g, self.u_g, self.head_u)
-        for label, field in zip(self._labels, fields, strict=True):
-            label.setBuddy(field)
-            form.addRow(label, field)
         form.addRow(self.drift)
         form.addRow(self.projection)
+        self.setLayout(form)
         for choice in (self.channel, self.harmonics):
             choice.currentIndexChanged.connect(self._on_edited)
-        for number in (self.g, self.u_g, self.head_u):
-            number.setMinimumWidth(6 * unit)
+        for number in numbers:
             number.valueChanged.connect(self._on_edited)
         for check in (self.drift, self.projection):
             check.toggled.connect(self._on_edited)
@@ -89,12 +85,7 @@ class TumbleSide(QWidget):
             (self.tr("u(g)"), self.tr("Standard uncertainty, k = 1.")),
             (self.tr("u(head)"), self.tr("Standard uncertainty of one setting of the head.")),
         )
-        for label, (text, tip) in zip(self._labels, words, strict=True):
-            label.setText(text)
-            buddy = label.buddy()
-            if buddy is not None:
-                buddy.setAccessibleName(text)
-                buddy.setToolTip(tip)
+        self._form.say(words)
         self.drift.setText(self.tr("Fit a steady drift"))
         self.drift.setToolTip(self.tr("Over the run, along with the series."))
         self.projection.setText(self.tr("Signs of the paper"))

@@ -48,10 +48,15 @@ Results and analysis
 ================  ==================================================================
 records_page      frame of an analysis of several records: list, picture, findings
 analysis_page     frame of an analysis page: picture, findings, actions
+panes             panes side by side over the row of actions
+hint_label        what to do, where a picture will stand
+field_form        fields, each behind its name
 noise_fields      N, B and K of a sensor, typed or from a record
 findings_view     tables, doubts, and what can be exported: the right-hand side
 result_table      texts under a title and an equation; clipboard
+table_model       rows under a header, for the views of tables
 table_text        tables as TSV and CSV
+painted_view      drawn whole by one method, on the screen and for export
 matrix_view       a matrix in brackets, its uncertainties and its equation
 residual_plot     residuals by position inside their band
 plot              curves, bands, points with bars, logarithmic axes (pyqtgraph)

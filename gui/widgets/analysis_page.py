@@ -3,20 +3,15 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import (
-    QFileDialog,
-    QSplitter,
-    QStackedWidget,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QFileDialog, QStackedWidget, QWidget
 
 from gui.languages.shown import shown
 from gui.widgets.action_bar import ActionBar
 from gui.widgets.findings_view import FindingsView
+from gui.widgets.hint_label import HintLabel
+from gui.widgets.panes import lay_panes
 from gui.widgets.states import ActionBarState, FindingsState
-from gui.widgets.word_label import WordLabel
 
 LOAD = "load"
 EXPORT = "export"
@@ -62,33 +57,15 @@ class AnalysisPage(QWidget):
         super().__init__(parent)
         self._filters = list(filters)
         self._dialog: QFileDialog | None = None
-        self.hint = WordLabel()
+        self.hint = HintLabel()
         self.findings = FindingsView()
         self.action_bar = ActionBar()
-        unit = self.fontMetrics().height()
-        self.hint.setWordWrap(True)
-        self.hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.hint.setTextFormat(Qt.TextFormat.PlainText)
-        font = self.hint.font()
-        font.setPointSizeF(font.pointSizeF() * 1.2)
-        self.hint.setFont(font)
-        self.hint.setContentsMargins(3 * unit, unit, 3 * unit, unit)
         self._middle = QStackedWidget()
         self._content = content
         self._middle.addWidget(self.hint)
         self._middle.addWidget(content)
-        across = QSplitter(Qt.Orientation.Horizontal)
-        across.addWidget(self._middle)
-        across.addWidget(self.findings)
-        across.setChildrenCollapsible(False)
-        across.setStretchFactor(0, 3)
-        across.setStretchFactor(1, 2)
-        across.setSizes([width * unit for width in widths])
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        column.addWidget(across, 1)
-        column.addWidget(self.action_bar)
+        panes = ((self._middle, 3, widths[0]), (self.findings, 2, widths[1]))
+        lay_panes(self, panes, self.action_bar)
         self.action_bar.triggered.connect(self._on_action)
 
     def render(self, state: AnalysisState) -> None:

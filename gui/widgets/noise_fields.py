@@ -1,9 +1,10 @@
 """N, B and K of a sensor in the units of its data sheet, or taken from a record."""
 
 from PySide6.QtCore import QEvent, Signal
-from PySide6.QtWidgets import QFileDialog, QFormLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFileDialog, QLabel, QPushButton, QVBoxLayout, QWidget
 
 from core.units import DPH_PER_DPS
+from gui.widgets.field_form import FieldForm
 from gui.widgets.fields import NumberField
 
 _ROOT_H = 60.0
@@ -34,18 +35,12 @@ class NoiseFields(QWidget):
         self.fields = tuple(NumberField(0.0, 1e6, 5) for _ in range(3))
         self.button, self.source = QPushButton(), QLabel()
         self.source.setWordWrap(True)
-        unit = self.fontMetrics().height()
-        form = QFormLayout()
-        form.setVerticalSpacing(unit // 3)
-        self._labels = [QLabel() for _ in range(3)]
-        for label, field in zip(self._labels, self.fields, strict=True):
-            label.setBuddy(field)
-            form.addRow(label, field)
-            field.setMinimumWidth(6 * unit)
+        self._form = FieldForm(self.fields)
+        for field in self.fields:
             field.valueChanged.connect(self._on_edited)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
-        column.addLayout(form)
+        column.addLayout(self._form)
         column.addWidget(self.button)
         column.addWidget(self.source)
         self.button.clicked.connect(self._open_dialog)
@@ -103,9 +98,6 @@ class NoiseFields(QWidget):
             (self.tr("Flicker B"), self.tr("Floor of the Allan curve over 0.664.")),
             (self.tr("Walk K"), self.tr("Random walk of the rate or of the acceleration.")),
         )
-        for label, field, (text, tip) in zip(self._labels, self.fields, words, strict=True):
-            label.setText(text)
-            field.setAccessibleName(text)
-            field.setToolTip(tip)
+        self._form.say(words)
         self.button.setText(self.tr("Noise from a record …"))
         self.button.setToolTip(self.tr("Analyse a record of the sensor at rest, as the Allan tab"))

@@ -10,7 +10,6 @@ from PySide6.QtWidgets import (
     QListWidget,
     QListWidgetItem,
     QScrollArea,
-    QSplitter,
     QStackedWidget,
     QVBoxLayout,
     QWidget,
@@ -19,8 +18,9 @@ from PySide6.QtWidgets import (
 from gui.languages.shown import shown
 from gui.widgets.action_bar import ActionBar
 from gui.widgets.findings_view import FindingsView
+from gui.widgets.hint_label import HintLabel
+from gui.widgets.panes import lay_panes
 from gui.widgets.states import ActionBarState, FindingsState
-from gui.widgets.word_label import WordLabel
 
 ADD, FOLDER, EXPORT = "add", "folder", "export"
 
@@ -89,7 +89,7 @@ class RecordsPage(QWidget):
         self._state: RecordsState | None = None
         self._content: QWidget | None = None
         self.list = QListWidget()
-        self.hint = WordLabel()
+        self.hint = HintLabel()
         self.findings = FindingsView()
         self.action_bar = ActionBar()
         self._middle = QStackedWidget()
@@ -104,13 +104,6 @@ class RecordsPage(QWidget):
         self.list.setTextElideMode(Qt.TextElideMode.ElideMiddle)
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.list.setMinimumHeight(5 * unit)
-        self.hint.setWordWrap(True)
-        self.hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.hint.setTextFormat(Qt.TextFormat.PlainText)
-        font = self.hint.font()
-        font.setPointSizeF(font.pointSizeF() * 1.2)
-        self.hint.setFont(font)
-        self.hint.setContentsMargins(3 * unit, unit, 3 * unit, unit)
         self._middle.addWidget(self.hint)
         scroll = QScrollArea()
         scroll.setWidget(settings)
@@ -123,19 +116,8 @@ class RecordsPage(QWidget):
         column.setSpacing(0)
         column.addWidget(self.list, 2)
         column.addWidget(scroll, 3)
-        across = QSplitter(Qt.Orientation.Horizontal)
-        for part in (left, self._middle, self.findings):
-            across.addWidget(part)
-        across.setChildrenCollapsible(False)
-        across.setStretchFactor(0, 0)
-        across.setStretchFactor(1, 3)
-        across.setStretchFactor(2, 1)
-        across.setSizes([17 * unit, 35 * unit, 29 * unit])
-        rows = QVBoxLayout(self)
-        rows.setContentsMargins(0, 0, 0, 0)
-        rows.setSpacing(0)
-        rows.addWidget(across, 1)
-        rows.addWidget(self.action_bar)
+        panes = ((left, 0, 17), (self._middle, 3, 35), (self.findings, 1, 29))
+        lay_panes(self, panes, self.action_bar)
 
     def put_content(self, content: QWidget) -> None:
         """Put the picture in its place."""

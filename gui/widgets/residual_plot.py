@@ -3,24 +3,24 @@
 import math
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QHelpEvent, QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
+from PySide6.QtGui import QColor, QHelpEvent, QPainter, QPen
+from PySide6.QtWidgets import QToolTip, QWidget
 
 from gui.languages.shown import shown, shown_number
 from gui.widgets.chart_scale import nice_step, tick_text, ticks
 from gui.widgets.number_text import significant
+from gui.widgets.painted_view import PaintedView
 from gui.widgets.states import ResidualSeries, ResidualState, Tone
 from gui.widgets.theme import current_theme
 
 
-class ResidualPlot(QWidget):
+class ResidualPlot(PaintedView):
     """Bars of every sensor at every position; a bar out of its band is marked by a sign."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+        super().__init__((40, 14), (16, 8), parent)
         self._state = ResidualState((), ())
         self._places: list[tuple[QRectF, str]] = []
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
 
     def render(self, state: ResidualState) -> None:
         """Show residuals."""
@@ -37,16 +37,7 @@ class ResidualPlot(QWidget):
         self.setAccessibleDescription(", ".join(outside))
         self.update()
 
-    def sizeHint(self) -> QSize:
-        unit = self.fontMetrics().height()
-        return QSize(40 * unit, 14 * unit)
-
-    def minimumSizeHint(self) -> QSize:
-        unit = self.fontMetrics().height()
-        return QSize(16 * unit, 8 * unit)
-
     def paint(self, painter: QPainter, size: QSize) -> None:
-        """Draw on any painter, for export."""
         theme = current_theme()
         painter.setFont(self.font())
         metrics = painter.fontMetrics()
@@ -169,11 +160,6 @@ class ResidualPlot(QWidget):
     def words_at(self, at: QPointF) -> str:
         """Return position, sensor and value of the bar at a point; empty beside the bars."""
         return next((words for bar, words in self._places if bar.contains(at)), "")
-
-    def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002
-        painter = QPainter(self)
-        self.paint(painter, self.size())
-        painter.end()
 
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):

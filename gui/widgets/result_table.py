@@ -1,14 +1,6 @@
 """A table of results under its title and equation, ready for the clipboard."""
 
-from PySide6.QtCore import (
-    QAbstractTableModel,
-    QEvent,
-    QModelIndex,
-    QPersistentModelIndex,
-    QPoint,
-    QSize,
-    Qt,
-)
+from PySide6.QtCore import QEvent, QPoint, QSize, Qt
 from PySide6.QtGui import QAction, QGuiApplication, QKeyEvent, QKeySequence, QPalette
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -23,6 +15,7 @@ from PySide6.QtWidgets import (
 from gui.languages.shown import shown
 from gui.widgets.number_text import MINUS, aligned
 from gui.widgets.states import TableState
+from gui.widgets.table_model import Index, TableModel
 from gui.widgets.table_text import table_text
 from gui.widgets.word_label import WordLabel
 
@@ -78,7 +71,7 @@ class ResultTable(QWidget):
         self._view.copy(separator, decimal)
 
 
-class _Model(QAbstractTableModel):
+class _Model(TableModel):
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self.table = _EMPTY
@@ -86,7 +79,7 @@ class _Model(QAbstractTableModel):
 
     def replace(self, table: TableState) -> None:
         self.beginResetModel()
-        self.table = table
+        self.table, self.rows, self.header = table, table.rows, table.header
         columns = [list(column) for column in zip(*table.rows, strict=True)]
         self._shown = [
             column if number < table.words else aligned(column)
@@ -94,43 +87,20 @@ class _Model(QAbstractTableModel):
         ]
         self.endResetModel()
 
-    def rowCount(self, parent: QModelIndex | QPersistentModelIndex = QModelIndex()) -> int:  # noqa: B008
-        return 0 if parent.isValid() else len(self.table.rows)
+    def side(self, column: int) -> Qt.AlignmentFlag:
+        numbers = column >= self.table.words and all(
+            row[column][0] in _NUMBER_STARTS for row in self.table.rows if row[column]
+        )
+        return Qt.AlignmentFlag.AlignRight if numbers else Qt.AlignmentFlag.AlignLeft
 
-    def columnCount(self, parent: QModelIndex | QPersistentModelIndex = QModelIndex()) -> int:  # noqa: B008
-        return 0 if parent.isValid() else len(self.table.header)
-
-    def data(
-        self, index: QModelIndex | QPersistentModelIndex, role: int = Qt.ItemDataRole.DisplayRole
-    ) -> object:
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
         if role == Qt.ItemDataRole.DisplayRole:
             return shown(self._shown[index.column()][index.row()])
         if role in (Qt.ItemDataRole.AccessibleTextRole, Qt.ItemDataRole.ToolTipRole):
             return shown(self.table.rows[index.row()][index.column()])
         if role == Qt.ItemDataRole.TextAlignmentRole:
-            return self._alignment(index.column())
+            return self.alignment(index.column())
         return None
-
-    def headerData(
-        self,
-        section: int,
-        orientation: Qt.Orientation,
-        role: int = Qt.ItemDataRole.DisplayRole,
-    ) -> object:
-        if orientation is Qt.Orientation.Vertical:
-            return None
-        if role == Qt.ItemDataRole.DisplayRole:
-            return shown(self.table.header[section])
-        if role == Qt.ItemDataRole.TextAlignmentRole:
-            return self._alignment(section)
-        return None
-
-    def _alignment(self, column: int) -> Qt.AlignmentFlag:
-        numbers = column >= self.table.words and all(
-            row[column][0] in _NUMBER_STARTS for row in self.table.rows if row[column]
-        )
-        side = Qt.AlignmentFlag.AlignRight if numbers else Qt.AlignmentFlag.AlignLeft
-        return side | Qt.AlignmentFlag.AlignVCenter
 
 
 class _View(QTableView):
