@@ -14,6 +14,8 @@ fed_port, protocol_sim, protocol_replay
     Ports of pyserial that are fed by the program: ``sim://DEVICE``, ``replay://PATH``.
 pty_rig
     The same rig in a process of its own behind a real pseudo-terminal.
+rows
+    A model that was found on the bench: rows that were measured, walked through again.
 operator, session, truth
     Walks a plan at a rig as a person would; a whole session of it without a window;
     estimates beside the hidden truth.

@@ -4,10 +4,11 @@
 tab               the tab put together
 presenter         clicks in, `StoryState` out
 state             everything that the tab shows
-working           the work of a job: reading, finding, adding, simulating; needs no Qt
+working           the work of a job: reading, finding, adding; needs no Qt
 handed            a story -> effects for the tabs that calibrate
 ladder_rows       a story -> rungs of the ladder, regressors
 cards             a story -> proposals, next measurements, what the plan can show
+rerun             the found model on the simulated bench, beside the data
 scene             buttons, the judgement, the tab without a run
 picture           a story -> both plots
 words             names of regressors and verdicts

@@ -53,9 +53,10 @@ def picture_of(
     if candidate is not None:
         explained = left_over(story, candidate.curve, after=after)[own]
         preview = _means(explained, near, len(where.knots))
-    played = _NOTHING
+    played, left = _NOTHING, _NOTHING
     if again is not None:
-        played = left_over(story, again, after=after)[own]
+        played = again[told.channel == channel]
+        left = left_over(story, again, after=after)[own]
     predicted = told.predicted if after else told.predicted_before
     unit = unit_words(where.unit)
     name = regressor_words(where.regressor)
@@ -67,7 +68,8 @@ def picture_of(
         measured=told.measured[told.channel == channel],
         simulated=predicted[told.channel == channel],
         residual=residual,
-        again=played,
+        played=played,
+        again=left,
         knots=where.knots,
         mean=mean,
         curve=curve,
@@ -94,6 +96,7 @@ def _spectrum(where: Where, unit: str) -> PictureState:
         measured=_NOTHING,
         simulated=_NOTHING,
         residual=where.residual,
+        played=_NOTHING,
         again=_NOTHING,
         knots=where.knots,
         mean=where.curve,

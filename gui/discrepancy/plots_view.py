@@ -164,6 +164,8 @@ class PlotsView(QWidget):
         rows.set_labels("", self.tr("output, {unit}").format(unit=picture.unit))
         rows.add_points(picture.x, picture.measured, _MEASURED)
         rows.add_crosses(picture.x, picture.simulated, _SIMULATED)
+        if len(picture.played):
+            rows.add_crosses(picture.x, picture.played, _AGAIN)
         self.left.draw_residual(picture)
         self._render_legends(picture, after)
         self._rows_pane.setVisible(len(picture.measured) > 0)
@@ -174,12 +176,13 @@ class PlotsView(QWidget):
         model = self.tr("simulated, plain model")
         if after:
             model = self.tr("simulated, with the effects")
-        self.legend_rows.set_entries(
-            (
-                LegendEntry(self.tr("measured"), _MEASURED, POINT),
-                LegendEntry(model, _SIMULATED, _CROSS),
-            )
-        )
+        above = [
+            LegendEntry(self.tr("measured"), _MEASURED, POINT),
+            LegendEntry(model, _SIMULATED, _CROSS),
+        ]
+        if len(picture.played):
+            above.append(LegendEntry(self.tr("simulated rig"), _AGAIN, _CROSS))
+        self.legend_rows.set_entries(tuple(above))
         entries = [LegendEntry(self.tr("residual"), _MEASURED, POINT)]
         if len(picture.band):
             entries.append(LegendEntry(self.tr("structure"), _CURVE, LINE))
@@ -187,7 +190,7 @@ class PlotsView(QWidget):
         if len(picture.preview):
             entries.append(LegendEntry(picture.preview_name, _PREVIEW, DASHES))
         if len(picture.again):
-            entries.append(LegendEntry(self.tr("the model, played"), _AGAIN, _CROSS))
+            entries.append(LegendEntry(self.tr("simulated rig less model"), _AGAIN, _CROSS))
         self.legend_left.set_entries(tuple(entries))
 
     def close_plots(self) -> None:

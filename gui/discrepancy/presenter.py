@@ -3,6 +3,7 @@
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
+import numpy as np
 from PySide6.QtCore import QCoreApplication, QObject, Qt, Signal
 
 from core.arrays import FloatArray
@@ -21,10 +22,11 @@ from gui.discrepancy.cards import (
 from gui.discrepancy.handed import addition_of
 from gui.discrepancy.ladder_rows import regressors_of, rungs_of
 from gui.discrepancy.picture import picture_of, where_of
+from gui.discrepancy.rerun import played
 from gui.discrepancy.scene import actions_of, empty_state, judgement_of
 from gui.discrepancy.state import PictureState, StoryState
 from gui.discrepancy.words import phase_words
-from gui.discrepancy.working import Story, added, all_added, opened, played, searched
+from gui.discrepancy.working import Story, added, all_added, opened, searched
 from gui.jobs import Jobs
 from gui.measuring.loading import Choice, mounts_asked
 from gui.messages import Messages
@@ -178,13 +180,14 @@ class DiscrepancyPresenter(QObject):
 
     def play(self) -> None:
         """Play the same rows with the model and its noise, or take them away again."""
-        if self._story is None:
+        story = self._story
+        if story is None or self._busy:
             return
         if self._again is None:
-            self._again = played(self._story, len(self._story.told.steps) + 1)
+            self._start("play", lambda: played(story, len(story.told.steps) + 1))
         else:
             self._again = None
-        self._tell()
+            self._tell()
 
     def calibrate(self) -> None:
         """Hand the run with its effects to the tab that calibrates it, and show that tab."""
@@ -267,6 +270,9 @@ class DiscrepancyPresenter(QObject):
                 self._tell()
             case Story():
                 self._take(result)
+            case np.ndarray() | None:
+                self._again = result
+                self._tell()
             case _:
                 raise TypeError(f"a comparison brought {type(result).__name__}")
         if self._then_find:

@@ -130,7 +130,8 @@ class PictureState:
     title : what the residual shows, one sentence
     x_label, unit : label of the regressor with its unit; unit of the output
     x, measured, simulated, residual : (n,) by rows
-    again : (n,) residual of the same rows played by the model; empty if they were not
+    played, again : (n,) output of the same rows on the simulated bench, and its residual; empty if
+        they were not walked there
     knots, mean, curve, band : (k,) mean residual at each knot, smooth estimate, half width of the
         simultaneous band
     marked : (k,) 1 where the mean leaves the band
@@ -146,6 +147,7 @@ class PictureState:
     measured: FloatArray
     simulated: FloatArray
     residual: FloatArray
+    played: FloatArray
     again: FloatArray
     knots: FloatArray
     mean: FloatArray

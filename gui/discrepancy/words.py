@@ -29,7 +29,7 @@ def phase_words(key: str) -> str:
             "Discrepancy", "Fitting what was found, and what could decide …"
         ),
         "add": QCoreApplication.translate("Discrepancy", "Fitting the model with the effect …"),
-        "play": QCoreApplication.translate("Discrepancy", "Playing the rows with the model …"),
+        "play": QCoreApplication.translate("Discrepancy", "Walking the rows on the simulated rig …"),
     }
     return words[key]
 

@@ -167,18 +167,6 @@ def all_added(story: Story) -> Story:
     return replace(story, ladder=story.found, told=story.proposed)
 
 
-def played(story: Story, seed: int) -> FloatArray | None:
-    """Outputs (n,) of the same rows, simulated with the model and its noise."""
-    if story.ladder is None:
-        return None
-    covariance = story.ladder.engine.floor.covariance
-    regular = covariance + 1e-12 * float(np.mean(np.diag(covariance))) * np.eye(len(covariance))
-    noise = np.linalg.cholesky(regular) @ np.random.default_rng(seed).standard_normal(
-        len(covariance)
-    )
-    return frozen(story.told.predicted + noise)
-
-
 def left_over(story: Story, y: FloatArray, *, after: bool) -> FloatArray:
     """Residual (n,) of any outputs: of the plain model, or with the added effects.
 

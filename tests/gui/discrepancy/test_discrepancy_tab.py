@@ -73,8 +73,11 @@ def test_from_the_file_to_the_closed_gap_and_back(
     assert not tab.presenter.state.after
 
     _press(qtbot, tab, "play")
+    assert "simulated rig" in tab.presenter.state.busy
+    _idle(qtbot, tab)
     assert tab.presenter.state.picture is not None
     assert len(tab.presenter.state.picture.again) == 96
+    assert len(tab.presenter.state.picture.played) == 96
     _press(qtbot, tab, "play")
     assert len(tab.presenter.state.picture.again) == 0
 

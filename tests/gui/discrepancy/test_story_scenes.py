@@ -15,9 +15,10 @@ from gui.discrepancy.exporting import model_document
 from gui.discrepancy.ladder_rows import regressors_of, rungs_of
 from gui.discrepancy.picture import picture_of, where_of
 from gui.discrepancy.plots_view import stretches
+from gui.discrepancy.rerun import played
 from gui.discrepancy.scene import judgement_of
 from gui.discrepancy.words import fitted_words, summary_words, unit_words
-from gui.discrepancy.working import Story, added, all_added, in_one, left_over, played
+from gui.discrepancy.working import Story, added, all_added, in_one, left_over
 from gui.widgets.states import Tone
 from tests.core.discrepancy.hidden import APART, head_run
 from tests.gui.discrepancy.conftest import K2
