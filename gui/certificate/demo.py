@@ -52,7 +52,7 @@ def play(stage: Stage) -> Told:
     stage.picture("certificates-issued")
     for path in sorted(presenter.folder.iterdir()):
         stage.keep(path)
-    _draw_pages(stage, tab, presenter.folder)
+    _draw_pages(stage, tab)
     return Told(TITLE, (), Path(session))
 
 
@@ -75,13 +75,11 @@ def _state(tab: CertificateTab) -> None:
     presenter.set_limit("bias", "", "600")
 
 
-def _draw_pages(stage: Stage, tab: CertificateTab, folder: Path) -> None:
+def _draw_pages(stage: Stage, tab: CertificateTab) -> None:
     """Keep every page as a picture."""
     paper, preview = tab.presenter.paper, tab.view.preview
     if paper is None:
         raise RuntimeError("there are no pages")
     for number in range(len(paper.pages)):
         preview.go(number)
-        path = folder / f"page-{number + 1}.png"
-        preview.sheet.grab().save(str(path))
-        stage.keep(path)
+        stage.drawing(f"certificate-page-{number + 1}", preview.sheet.grab().save)

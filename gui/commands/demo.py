@@ -1,27 +1,18 @@
 """The real window measures sessions on the simulated rig by itself, offscreen if need be.
 
-Files and pictures go to the folder; the estimates are compared with the rig's hidden truth.
+Files and pictures go to the folder; the estimates are compared with the rig's hidden truth. With
+--pictures the pictures of the documentation are renewed instead.
 """
 
 import argparse
 import os
 import sys
+import tempfile
 from pathlib import Path
 
 from drivers.virtual.truth import report
 from gui.commands.answer import Answer
-
-_PARTS = {
-    "head": "gui.dividing_head.demo",
-    "rate": "gui.rate_table.demo",
-    "accuracy": "gui.accuracy.demo",
-    "live": "gui.live.demo",
-    "allan": "gui.allan.demo",
-    "thermal": "gui.thermal.demo",
-    "drift": "gui.drift.demo",
-    "frames": "gui.frames.demo",
-    "certificate": "gui.certificate.demo",
-}
+from gui.demonstration.scenes import SCENES, with_what_they_need
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -30,10 +21,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--part",
         action="append",
-        choices=list(_PARTS),
-        help="what is measured; everything if it is not given",
+        choices=list(SCENES),
+        help="what is played; everything if it is not given",
     )
     parser.add_argument("--seed", type=int, default=1, help="of the units and their noise")
+    parser.add_argument(
+        "--pictures",
+        type=Path,
+        metavar="FOLDER",
+        help="renew the pictures that the documentation shows, in this folder",
+    )
 
 
 def run(args: argparse.Namespace) -> Answer:
@@ -42,13 +39,28 @@ def run(args: argparse.Namespace) -> Answer:
         os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")
     ):
         os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+    keys = with_what_they_need(args.part or SCENES)
+    return _play(args, keys) if args.pictures is None else _renew(args, keys)
 
-    from gui.demonstration import STEPS, demonstrate
 
-    chosen = tuple(_PARTS[part] for part in args.part or ())
-    outcome = demonstrate(args.out.resolve(), chosen or STEPS, args.seed)
+def _play(args: argparse.Namespace, keys: tuple[str, ...]) -> Answer:
+    from gui.demonstration.playing import demonstrate
+
+    out = args.out.resolve()
+    outcome = demonstrate(out, keys, args.seed)
     lines: list[str] = []
     for part in outcome.parts:
-        lines += [part.title, *report(part.parameters), f"session: {part.session}"]
-    lines += [str(path) for path in outcome.files]
-    return Answer(outcome, "\n".join(lines))
+        session = part.session.relative_to(out)
+        lines += [part.title, *report(part.parameters), f"session: {session}"]
+    lines += [str(path.relative_to(out)) for path in outcome.files]
+    return Answer(outcome, "\n".join([*lines, f"all in {args.out}"]))
+
+
+def _renew(args: argparse.Namespace, keys: tuple[str, ...]) -> Answer:
+    from gui.demonstration.pictures import renew
+
+    # One name for all runs: a picture that shows it does not change because of it.
+    scratch = Path(tempfile.gettempdir()) / "calrig-pictures"
+    renewed = renew(args.pictures, scratch, keys, args.seed)
+    lines = [f"{one.file:42s} {100 * one.changed:5.1f} % of the pixels changed" for one in renewed]
+    return Answer({"pictures": renewed}, "\n".join(lines))

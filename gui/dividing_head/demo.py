@@ -14,9 +14,9 @@ def play(stage: Stage, device: str = "pointer") -> Told:
     if not isinstance(tab, HeadTab):
         raise TypeError(f"{TITLE} is a {type(tab).__name__}")
     stage.until(lambda: tab.sitting.walk.status is not None, "the rig did not answer")
-    stage.picture("1-connected")
-    session = walk(stage, tab, "2-measuring")
-    process(stage, tab, "3-results", ("json", "c", "mat", "csv"))
+    stage.picture("dividing-head-connected")
+    session = walk(stage, tab, "dividing-head-measuring")
+    process(stage, tab, "dividing-head-results", ("json", "c", "mat", "csv"))
     state = tab.results.state
     if state is None:
         raise RuntimeError("the results were closed")

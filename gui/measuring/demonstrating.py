@@ -14,6 +14,11 @@ from gui.measuring.tab import MeasuringTab
 class Stage(Protocol):
     """The window on the simulated rig, as a demonstration handles it."""
 
+    @property
+    def sessions(self) -> Path:
+        """The folder of all sessions."""
+        ...
+
     def connect(self, device: str, **changes: object) -> Rig:
         """Open another simulated device; `changes` are keys of its address, such as ``speed``."""
         ...
@@ -26,12 +31,20 @@ class Stage(Protocol):
         """Let the window work until something is done; `otherwise` says what was not."""
         ...
 
+    def rest(self, seconds: float) -> None:
+        """Let the window work for some time."""
+        ...
+
     def set_operator(self, on: bool) -> None:
         """Let the operator of the rig do what the stage of the tab asks."""
         ...
 
     def picture(self, name: str) -> None:
         """Take a picture of the window in both looks."""
+        ...
+
+    def drawing(self, name: str, save: Callable[[str], bool]) -> None:
+        """Keep a picture of what has one look, such as paper; `save` writes it to a path."""
         ...
 
     def keep(self, path: Path) -> None:

@@ -4,12 +4,12 @@ from pathlib import Path
 
 import pytest
 
-from gui.demonstration import demonstrate
+from gui.demonstration.playing import demonstrate
 
 
 @pytest.mark.timeout(240)
 def test_both_are_played(tmp_path: Path) -> None:
-    outcome = demonstrate(tmp_path, ("gui.drift.demo", "gui.thermal.demo"), 1)
+    outcome = demonstrate(tmp_path, ("drift", "thermal"), 1)
     assert [part.title for part in outcome.parts] == ["Drift", "Thermal"]
     assert sum(row.covered for row in outcome.parameters) >= 5
     names = {path.name for path in outcome.files}

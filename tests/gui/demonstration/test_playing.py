@@ -20,7 +20,7 @@ def test_the_window_measures_eight_positions_by_itself(tmp_path: Path) -> None:
     # 95 % intervals: fewer than 9 of 12 is a chance of some 1e-4.
     assert sum(row["covered"] for row in head["parameters"]) >= 9
     names = {Path(name).name for name in outcome["files"]}
-    assert {"1-connected-light.png", "2-measuring-dark.png", "3-results-light.png"} <= names
+    assert {"dividing-head-measuring-dark.png", "dividing-head-results-light.png"} <= names
     assert all(Path(name).stat().st_size for name in outcome["files"])
     session = Path(head["session"])
     assert (session / "session.json").is_file()
