@@ -49,18 +49,29 @@ class Messages(QObject):
         self.log(banner.severity, f"{banner.what}. {words}" if words else banner.what, source)
         self.shown.emit(self.current)
 
-    def tell_error(self, source: str, what: str, error: LabError, *actions: BannerAction) -> None:
-        """Show what failed, with the words of the error."""
+    def tell_error(
+        self, source: str, what: str, error: LabError, *actions: BannerAction, remedy: str = ""
+    ) -> None:
+        """Show what failed, with the words of the error and what to do.
+
+        Parameters
+        ----------
+        source, what, error : whose banner, what could not be done, and why
+        actions : buttons
+        remedy : what to do; empty for what the link says, or what fits all errors of the kind
+        """
         if isinstance(error, LinkError):
             banner = BannerState(
                 Severity.ERROR,
                 f"{what}: {error.port}",
                 _sentence(error.why),
-                _sentence(error.remedy),
+                remedy or _sentence(error.remedy),
                 tuple(actions),
             )
         else:
-            remedy = next((text for kind, text in _REMEDIES.items() if isinstance(error, kind)), "")
+            remedy = remedy or next(
+                (text for kind, text in _REMEDIES.items() if isinstance(error, kind)), ""
+            )
             banner = BannerState(Severity.ERROR, what, f"{error}.", remedy, tuple(actions))
         self.show(source, banner)
 

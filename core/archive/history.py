@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     from core.archive.search import Reading
 
 YEAR_S = 365.25 * 86400.0
+TOLERANCE_K = 5.0
+"""How near to a temperature a calibration is "at" it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,7 +70,7 @@ def history_of(
     limits: Sequence[Limit] = (),
     *,
     temperature_c: float = math.nan,
-    tolerance_k: float = 5.0,
+    tolerance_k: float = TOLERANCE_K,
 ) -> History:
     """Return the history of a parameter.
 
@@ -112,6 +114,27 @@ def history_of(
         limit=limit_of(limits, latest.entry, latest.quantity),
         notes=notes,
     )
+
+
+def temperatures_of(readings: "Sequence[Reading]") -> tuple[float, ...]:
+    """Return the temperatures at which there are readings, rising: means of those close together.
+
+    Parameters
+    ----------
+    readings : of one parameter; those of unknown temperature are passed over
+    """
+    known = sorted(
+        reading.entry.temperature_c
+        for reading in readings
+        if not math.isnan(reading.entry.temperature_c)
+    )
+    groups: list[list[float]] = []
+    for temperature in known:
+        if groups and temperature - groups[-1][0] <= TOLERANCE_K:
+            groups[-1].append(temperature)
+        else:
+            groups.append([temperature])
+    return tuple(sum(group) / len(group) for group in groups)
 
 
 def _drift(used: "Sequence[Reading]", unit: str) -> Estimate | None:

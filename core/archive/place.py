@@ -74,6 +74,14 @@ def place_of(root: Path) -> Place:
     return place
 
 
+def same_place(place: Place) -> bool:
+    """Return whether the folder of an identity is still there, and still the same."""
+    try:
+        return place.root.is_dir() and place_of(place.root).id == place.id
+    except (FormatError, StorageError):
+        return False
+
+
 def save_place(place: Place) -> None:
     """Write ``archive.json``.
 

@@ -99,10 +99,16 @@ class Archive:
         Raises
         ------
         StorageError
-            The index cannot be written.
+            The index cannot be written; or the folder is not there any more, or another one stands
+            there now: then nothing is forgotten.
         """
         if self.read_only:
             return Refreshed()
+        if self.place.stored and place_of(self.place.root).id != self.place.id:
+            raise StorageError(
+                f"{self.place.root}: another archive stands there now; nothing is changed: open the"
+                " archive anew"
+            )
         changes = self._changes()
         taken = 0
         removed = self._forget(changes.gone)

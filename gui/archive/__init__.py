@@ -6,6 +6,8 @@ state.py           everything that the tab shows
 library.py         the open archive and the queue of work on it
 questions.py       what is asked of the archive, in the worker
 findings.py        answers -> tables of the right-hand side and the picture
+actions.py         the row of actions
+failures.py        what could not be done, and what to do
 exporting.py       the tables as a file
 texts.py           numbers and words, for the tab and for ``calrig archive``
 opening.py         in which tab an entry can be worked with; no Qt

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
 
+from core.archive.place import same_place
 from core.errors import LabError, StorageError
 from gui.jobs import Job, Jobs
 
@@ -48,6 +49,7 @@ class Library(QObject):
         self._jobs = jobs
         self._root = root
         self._archive: Archive | None = None
+        self._seen: Path | None = None
         self._waiting: dict[str, Question] = {}
         self._running = ""
         self._job: Job | None = None
@@ -108,16 +110,25 @@ class Library(QObject):
         from gui.archive.raw import RAW_READERS
 
         root = self._root()
-        if self._archive is not None and self._archive.place.root != root:
+        if self._archive is not None and not self._is_here(self._archive, root):
             self._archive.close()
             self._archive = None
         if self._archive is None:
-            try:
-                root.mkdir(parents=True, exist_ok=True)
-            except OSError as error:
-                raise StorageError(f"{root}: cannot be made ({error.strerror})") from error
+            if root != self._seen:
+                # A folder that was there and is gone is not made anew: its disk may come back.
+                try:
+                    root.mkdir(parents=True, exist_ok=True)
+                except OSError as error:
+                    raise StorageError(f"{root}: cannot be made ({error.strerror})") from error
             self._archive = Archive(root, more=RAW_READERS)
+            self._seen = root
         return self._archive
+
+    @staticmethod
+    def _is_here(archive: "Archive", root: Path) -> bool:
+        """Whether an open archive is still that of the folder, which may have been moved away."""
+        place = archive.place
+        return place.root == root and (same_place(place) if place.stored else root.is_dir())
 
     def _on_done(self, answer: object) -> None:
         if not isinstance(answer, _Answer):

@@ -1,13 +1,16 @@
 """The Archive tab: clicks in, `ArchiveState` out."""
 
+import math
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QObject, Signal
 
 from core.archive.entry import BAD, DAMAGED, DOUBT, Entry
-from core.archive.history import History
+from core.archive.history import TOLERANCE_K, History, temperatures_of
 from core.errors import LabError, Note, Severity
+from gui.archive.actions import items_of
+from gui.archive.failures import failure_of, no_tab_remedy, remedy_of
 from gui.archive.findings import name_of, of_details, of_import, of_redecoded, picture_of
 from gui.archive.library import Library
 from gui.archive.opening import CERTIFICATES
@@ -16,7 +19,6 @@ from gui.archive.questions import (
     Listed,
     Parameter,
     Redecoded,
-    can_be_certified,
     details,
     followed,
     listed,
@@ -25,10 +27,9 @@ from gui.archive.questions import (
 from gui.archive.state import ArchiveState, HistoryState, ListRow
 from gui.archive.texts import listed as cells_of
 from gui.messages import Messages
-from gui.widgets.number_text import grouped
+from gui.widgets.number_text import fixed, grouped
 from gui.widgets.states import (
     ActionBarState,
-    ActionItem,
     BannerState,
     FindingsState,
     Tone,
@@ -67,11 +68,13 @@ class ArchivePresenter(QObject):
         self._chosen: tuple[int, ...] = ()
         self._details: Details | None = None
         self._parameter: Parameter | None = None
+        self._temperature_c = math.nan
         self._history: History | None = None
         self._picture: HistoryState | None = None
         self._report: FindingsState | None = None
         self._progress = (0, 0)
         self._told: set[str] = set()
+        self._failing = ""
         self._answers = {
             "list": self._on_listed,
             "refresh": self._on_refreshed,
@@ -117,6 +120,12 @@ class ArchivePresenter(QObject):
             self._parameter = self._details.parameters[place]
             self._ask_history()
 
+    def at(self, place: int) -> None:
+        """Count calibrations at one of the temperatures alone; 0 for all."""
+        offered = () if self._history is None else temperatures_of(self._history.readings)
+        self._temperature_c = offered[place - 1] if 0 < place <= len(offered) else math.nan
+        self._ask_history()
+
     def act(self, key: str) -> None:
         """A button of the row of actions."""
         if key == "open":
@@ -148,7 +157,10 @@ class ArchivePresenter(QObject):
                 what = QCoreApplication.translate(
                     "Archive", "There is no tab {title} to open it in"
                 )
-                self._messages.show(SOURCE, BannerState(Severity.WARNING, what.format(title=title)))
+                banner = BannerState(
+                    Severity.WARNING, what.format(title=title), f"{path}.", no_tab_remedy()
+                )
+                self._messages.show(SOURCE, banner)
 
     # --- what the archive answers -----------------------------------------------------------------
 
@@ -157,11 +169,16 @@ class ArchivePresenter(QObject):
         self._library.ask("list", lambda archive: listed(archive, text, kind))
 
     def _ask_history(self) -> None:
-        parameter = self._parameter
+        parameter, temperature_c = self._parameter, self._temperature_c
         if parameter is not None:
-            self._library.ask("history", lambda archive: followed(archive, parameter))
+            self._library.ask(
+                "history", lambda archive: followed(archive, parameter, temperature_c)
+            )
 
     def _on_answer(self, key: str, result: object) -> None:
+        if key == self._failing:
+            self._failing = ""
+            self._messages.clear(SOURCE)
         self._answers[key](result)
         self._tell()
 
@@ -179,7 +196,8 @@ class ArchivePresenter(QObject):
         if note.text not in self._told:
             self._told.add(note.text)
             what = QCoreApplication.translate("Archive", "The archive")
-            self._messages.show(SOURCE, BannerState(note.severity, what, f"{note.text}."))
+            banner = BannerState(note.severity, what, f"{note.text}.", remedy_of(note))
+            self._messages.show(SOURCE, banner)
 
     def _on_refreshed(self, result: object) -> None:  # noqa: ARG002
         self._progress = (0, 0)
@@ -200,6 +218,11 @@ class ArchivePresenter(QObject):
 
     def _on_history(self, result: object) -> None:
         if self._parameter is None or not isinstance(result, History):
+            return
+        if not math.isnan(self._temperature_c) and not any(result.counted):
+            # Another device or parameter has nothing at the temperature that was chosen.
+            self._temperature_c = math.nan
+            self._ask_history()
             return
         self._history = result
         self._picture = picture_of(result, self._parameter, self._chosen)
@@ -222,7 +245,9 @@ class ArchivePresenter(QObject):
         if key == "details" and self._listed is not None:
             # What was listed has gone meanwhile.
             self._search()
-        self._messages.tell_error(SOURCE, _FAILED[key](), error)
+        self._failing = key
+        what, remedy = failure_of(key)
+        self._messages.tell_error(SOURCE, what, error, remedy=remedy)
         self._tell()
 
     def _on_progress(self, done: int, of: int) -> None:
@@ -241,6 +266,7 @@ class ArchivePresenter(QObject):
         if self._details is not None and self._chosen:
             parameters = self._details.parameters
         place = parameters.index(self._parameter) if self._parameter in parameters else -1
+        temperatures, at = self._temperatures()
         return ArchiveState(
             text=self._text,
             kind=self._kind,
@@ -249,11 +275,23 @@ class ArchivePresenter(QObject):
             chosen=self._chosen,
             parameters=tuple(map(name_of, parameters)),
             parameter=place,
+            temperatures=temperatures,
+            temperature=at,
             history=self._picture if self._chosen else None,
             findings=self._findings(place, parameters),
-            actions=ActionBarState(self._items()),
+            actions=ActionBarState(
+                items_of(self._details, self._chosen, self._library.running, empty=self._empty)
+            ),
             hint=self._hint(),
         )
+
+    def _temperatures(self) -> tuple[tuple[str, ...], int]:
+        """At which temperatures the parameter can be followed, and which is chosen."""
+        found = () if self._history is None else temperatures_of(self._history.readings)
+        every = QCoreApplication.translate("Archive", "all temperatures")
+        words = tuple(f"{fixed(one, 0)} ± {fixed(TOLERANCE_K, 0)} °C" for one in found)
+        near = [place for place, one in enumerate(found, 1) if one == self._temperature_c]
+        return (every, *words), near[0] if near else 0
 
     def _findings(self, place: int, parameters: tuple[Parameter, ...]) -> FindingsState | None:
         if self._report is not None:
@@ -276,8 +314,13 @@ class ArchivePresenter(QObject):
             return text.format(shown=grouped(len(hits.entries)), all=grouped(hits.total))
         return QCoreApplication.translate("Archive", "{all} found").format(all=grouped(hits.total))
 
+    @property
+    def _empty(self) -> bool:
+        """Whether nothing at all is in the archive."""
+        return self._listed is not None and not self._listed.anything
+
     def _hint(self) -> str:
-        if self._listed is not None and not self._listed.anything:
+        if self._empty:
             return QCoreApplication.translate(
                 "Archive",
                 "Nothing is in the archive yet.\n\nEvery session and calibration of the folder of"
@@ -296,61 +339,6 @@ class ArchivePresenter(QObject):
             "Archive", "There is no calibration of this device whose parameters could be followed."
         )
 
-    def _items(self) -> tuple[ActionItem, ...]:
-        one = self._details if self._chosen else None
-        opens = one is not None and one.opening is not None
-        session = one is not None and len(self._chosen) == 1 and one.entries[0].kind == "session"
-        nothing = QCoreApplication.translate("Archive", "Nothing is chosen.")
-        here = QCoreApplication.translate("Archive", "All that there is of it is shown here.")
-        empty = self._listed is not None and not self._listed.anything
-        busy = self._library.running in ("rebuild", "import")
-        wait = QCoreApplication.translate("Archive", "The archive is being worked at.")
-        return (
-            ActionItem(
-                "open",
-                QCoreApplication.translate("Archive", "Open"),
-                "Space",
-                opens,
-                opens,
-                nothing if one is None else here,
-            ),
-            ActionItem(
-                "certificate",
-                QCoreApplication.translate("Archive", "Certificate"),
-                enabled=one is not None and len(self._chosen) == 1 and can_be_certified(one),
-                why_not=QCoreApplication.translate(
-                    "Archive", "Choose a session, a run, an old file or a calibration."
-                ),
-            ),
-            ActionItem(
-                "import",
-                QCoreApplication.translate("Archive", "Import Folder"),
-                "Ctrl+I",
-                empty,
-                not busy,
-                wait,
-            ),
-            ActionItem(
-                "reprocess",
-                QCoreApplication.translate("Archive", "Decode Again"),
-                "F5",
-                False,
-                session,
-                QCoreApplication.translate(
-                    "Archive", "Choose a session: its raw bytes are decoded again and compared."
-                ),
-            ),
-            ActionItem("refresh", QCoreApplication.translate("Archive", "Refresh"), "Ctrl+R"),
-            ActionItem(
-                "rebuild",
-                QCoreApplication.translate("Archive", "Rebuild Index"),
-                "",
-                False,
-                not busy,
-                wait,
-            ),
-        )
-
     def _tell(self) -> None:
         self.changed.emit(self.state)
 
@@ -366,14 +354,3 @@ def _same(old: Parameter | None, offered: tuple[Parameter, ...]) -> Parameter | 
             if (one.channel, one.name) == (old.channel, old.name):
                 return one
     return offered[0] if offered else None
-
-
-_FAILED = {
-    "list": lambda: QCoreApplication.translate("Archive", "The archive cannot be searched"),
-    "refresh": lambda: QCoreApplication.translate("Archive", "The archive cannot be opened"),
-    "rebuild": lambda: QCoreApplication.translate("Archive", "The index cannot be made"),
-    "details": lambda: QCoreApplication.translate("Archive", "The entry cannot be shown"),
-    "history": lambda: QCoreApplication.translate("Archive", "The history cannot be shown"),
-    "import": lambda: QCoreApplication.translate("Archive", "The folder cannot be imported"),
-    "reprocess": lambda: QCoreApplication.translate("Archive", "The session cannot be decoded"),
-}

@@ -1,5 +1,6 @@
 """What the tab asks the archive; all of it runs in a worker."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -137,12 +138,16 @@ def _parameters(
     return tuple(Parameter(entry.serial, entry.sensor, q.channel, q.name) for q in own)
 
 
-def followed(archive: "Archive", parameter: Parameter) -> History | None:
-    """Return the history of a parameter."""
+def followed(
+    archive: "Archive", parameter: Parameter, temperature_c: float = math.nan
+) -> History | None:
+    """Return the history of a parameter, at about a temperature, or at all where it is NaN."""
     readings = archive.readings(
         parameter.serial, parameter.name, parameter.channel, parameter.sensor
     )
-    return history_of(readings, read_limits(archive.place.root)) if readings else None
+    if not readings:
+        return None
+    return history_of(readings, read_limits(archive.place.root), temperature_c=temperature_c)
 
 
 def redecoded(archive: "Archive", number: int) -> Redecoded:

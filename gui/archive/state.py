@@ -62,6 +62,8 @@ class ArchiveState:
     chosen : numbers of the chosen entries
     parameters : names of those that can be followed
     parameter : place of the one that is followed; -1 for none
+    temperatures : in words, at which it can be followed; the first stands for all
+    temperature : place of the one that is chosen
     history : its picture; None while there is none
     findings : the right-hand side; None while nothing is chosen
     actions : the row below
@@ -75,6 +77,8 @@ class ArchiveState:
     chosen: tuple[int, ...]
     parameters: tuple[str, ...]
     parameter: int
+    temperatures: tuple[str, ...]
+    temperature: int
     history: HistoryState | None
     findings: FindingsState | None
     actions: ActionBarState

@@ -40,11 +40,12 @@ class ArchiveView(QWidget):
         self.search, self.kind = QLineEdit(), QComboBox()
         self.status, self.hint = WordLabel(), WordLabel()
         self.table = EntryTable()
-        self.parameter = QComboBox()
+        self.parameter, self.temperature = QComboBox(), QComboBox()
         self.findings = FindingsView()
         self.action_bar = ActionBar()
         self.plot: HistoryPlot | None = None
         self._parameters: tuple[str, ...] = ()
+        self._temperatures: tuple[str, ...] = ()
         self._dialog: QFileDialog | None = None
         self._middle = QStackedWidget()
         self._build()
@@ -79,7 +80,11 @@ class ArchiveView(QWidget):
         self._plot_column.setContentsMargins(unit // 2, unit // 2, 0, 0)
         self._plot_column.setSpacing(unit // 4)
         self.parameter.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        self._plot_column.addWidget(self.parameter)
+        followed = QHBoxLayout()
+        followed.setSpacing(unit // 2)
+        followed.addWidget(self.parameter, 1)
+        followed.addWidget(self.temperature)
+        self._plot_column.addLayout(followed)
         self._middle.addWidget(self.hint)
         self._middle.addWidget(self._page)
         across = QSplitter(Qt.Orientation.Horizontal)
@@ -103,6 +108,7 @@ class ArchiveView(QWidget):
         self.table.chosen.connect(presenter.choose)
         self.table.opened.connect(self._on_opened)
         self.parameter.activated.connect(presenter.follow)
+        self.temperature.activated.connect(presenter.at)
         self.action_bar.triggered.connect(self._on_action)
         presenter.changed.connect(self.render)
         find = QShortcut(QKeySequence(QKeySequence.StandardKey.Find), self)
@@ -140,6 +146,12 @@ class ArchiveView(QWidget):
             self.parameter.addItems([shown(name) for name in state.parameters])
         if self.parameter.currentIndex() != state.parameter:
             self.parameter.setCurrentIndex(state.parameter)
+        if state.temperatures != self._temperatures:
+            self._temperatures = state.temperatures
+            self.temperature.clear()
+            self.temperature.addItems([shown(words) for words in state.temperatures])
+        self.temperature.setCurrentIndex(state.temperature)
+        self.temperature.setEnabled(len(state.temperatures) > 1)
 
     def _render_plot(self) -> None:
         state = self._state
@@ -186,7 +198,7 @@ class ArchiveView(QWidget):
         super().changeEvent(event)
         if event.type() == QEvent.Type.LanguageChange:
             self._retranslate()
-            self._dialog, self._parameters = None, ()
+            self._dialog, self._parameters, self._temperatures = None, (), ()
             self.render(self._presenter.state)
 
     def _retranslate(self) -> None:
@@ -196,6 +208,10 @@ class ArchiveView(QWidget):
         self.search.setAccessibleName(self.tr("Search the archive"))
         self.kind.setAccessibleName(self.tr("Kind of entries"))
         self.parameter.setAccessibleName(self.tr("Parameter that is followed"))
+        self.temperature.setAccessibleName(self.tr("Temperature of what counts"))
+        self.temperature.setToolTip(
+            self.tr("Only calibrations at about this temperature count; the others are shown")
+        )
         self.table.setAccessibleName(self.tr("Entries"))
         self._header = (
             self.tr("Serial no."),

@@ -344,12 +344,12 @@
         <message>
             <location filename="../../gui/archive/view.py" />
             <source>Temperature of what counts</source>
-            <translation type="unfinished" />
+            <translation>Температура того, що рахується</translation>
         </message>
         <message>
             <location filename="../../gui/archive/view.py" />
             <source>Only calibrations at about this temperature count; the others are shown</source>
-            <translation type="unfinished" />
+            <translation>Рахуються лише калібрування приблизно за цієї температури; решту показано</translation>
         </message>
         <message>
             <location filename="../../gui/archive/view.py" />
@@ -2752,11 +2752,6 @@
         </message>
         <message>
             <location filename="../../gui/discrepancy/plots_view.py" />
-            <source>the model, played</source>
-            <translation>модель, програна</translation>
-        </message>
-        <message>
-            <location filename="../../gui/discrepancy/plots_view.py" />
             <source>Output</source>
             <translation>Вихід</translation>
         </message>
@@ -3140,11 +3135,6 @@
         <name>ResultsView</name>
         <message>
             <location filename="../../gui/measuring/results_view.py" />
-            <source>With: {effects}</source>
-            <translation type="unfinished" />
-        </message>
-        <message>
-            <location filename="../../gui/measuring/results_view.py" />
             <source>Certificate</source>
             <translation>Сертифікат</translation>
         </message>
@@ -3167,16 +3157,6 @@
             <location filename="../../gui/measuring/results_view.py" />
             <source>Compare the model with the rows: find out what it lacks</source>
             <translation>Порівняти модель з рядками: з'ясувати, чого їй бракує</translation>
-        </message>
-        <message>
-            <location filename="../../gui/measuring/results_view.py" />
-            <source>Take Out</source>
-            <translation type="unfinished" />
-        </message>
-        <message>
-            <location filename="../../gui/measuring/results_view.py" />
-            <source>Calibrate by the plain model again</source>
-            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../gui/measuring/results_view.py" />
@@ -4282,7 +4262,7 @@
         <message>
             <location filename="../../gui/archive/failures.py" />
             <source>The sessions are untouched. When the cause is gone press Refresh (Ctrl+R).</source>
-            <translation type="unfinished" />
+            <translation>Сеанси не зачеплено. Коли причину усунуто, натисніть «Оновити» (Ctrl+R).</translation>
         </message>
         <message>
             <location filename="../../gui/archive/failures.py" />
@@ -4302,7 +4282,7 @@
         <message>
             <location filename="../../gui/archive/failures.py" />
             <source>The sessions are untouched. When the cause is gone press Refresh (Ctrl+R): what is missing in the list comes back from the files.</source>
-            <translation type="unfinished" />
+            <translation>Сеанси не зачеплено. Коли причину усунуто, натисніть «Оновити» (Ctrl+R): чого бракує у списку, повернеться з файлів.</translation>
         </message>
         <message>
             <location filename="../../gui/archive/failures.py" />
@@ -4312,7 +4292,7 @@
         <message>
             <location filename="../../gui/archive/failures.py" />
             <source>The list is looked up again; choose the entry once more.</source>
-            <translation type="unfinished" />
+            <translation>Список складається знову; виберіть запис ще раз.</translation>
         </message>
         <message>
             <location filename="../../gui/archive/failures.py" />
@@ -4327,7 +4307,7 @@
         <message>
             <location filename="../../gui/archive/failures.py" />
             <source>What was taken in stays. Put right what is named and import the folder again: it goes on where it was broken off.</source>
-            <translation type="unfinished" />
+            <translation>Те, що вже взято, лишається. Виправте назване і імпортуйте теку знову: імпорт продовжиться з місця, де його перервано.</translation>
         </message>
         <message>
             <location filename="../../gui/archive/failures.py" />
@@ -4337,27 +4317,27 @@
         <message>
             <location filename="../../gui/archive/failures.py" />
             <source>The stored means stay as they are. The raw bytes (.calrec) belong into the session's folder or into the folder raw.</source>
-            <translation type="unfinished" />
+            <translation>Збережені середні лишаються, як були. Сирі байти (.calrec) мають лежати в теці сеансу або в теці raw.</translation>
         </message>
         <message>
             <location filename="../../gui/archive/failures.py" />
             <source>Nothing has to be done. If it happens again, have the disk checked.</source>
-            <translation type="unfinished" />
+            <translation>Нічого робити не треба. Якщо це повториться, перевірте диск.</translation>
         </message>
         <message>
             <location filename="../../gui/archive/failures.py" />
             <source>Searching works as always. To measure, choose a folder that can be written to.</source>
-            <translation type="unfinished" />
+            <translation>Пошук працює, як завжди. Щоб вимірювати, виберіть теку, в яку можна писати.</translation>
         </message>
         <message>
             <location filename="../../gui/archive/failures.py" />
             <source>Update CalRig on this computer; until then measure as always, the newer program finds the sessions.</source>
-            <translation type="unfinished" />
+            <translation>Оновіть CalRig на цьому комп'ютері; доти вимірюйте, як завжди: новіша програма знайде сеанси.</translation>
         </message>
         <message>
             <location filename="../../gui/archive/failures.py" />
             <source>Open it by Load Data of the tab in which it was measured.</source>
-            <translation type="unfinished" />
+            <translation>Відкрийте його кнопкою «Завантажити дані» тієї вкладки, де його виміряно.</translation>
         </message>
         <message>
             <location filename="../../gui/archive/findings.py" />
@@ -4557,7 +4537,7 @@
         <message>
             <location filename="../../gui/archive/presenter.py" />
             <source>all temperatures</source>
-            <translation type="unfinished" />
+            <translation>усі температури</translation>
         </message>
         <message>
             <location filename="../../gui/archive/presenter.py" />
@@ -4935,11 +4915,6 @@ Every session and calibration of the folder of sessions comes here by itself. Im
         </message>
         <message>
             <location filename="../../gui/discrepancy/presenter.py" />
-            <source>No tab calibrates this run</source>
-            <translation type="unfinished" />
-        </message>
-        <message>
-            <location filename="../../gui/discrepancy/presenter.py" />
             <source>A session holds another plan, or an accumulation is running.</source>
             <translation>Сеанс тримає інший план, або триває накопичення.</translation>
         </message>
@@ -5119,11 +5094,6 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
-            <source>Use in Calibration</source>
-            <translation type="unfinished" />
-        </message>
-        <message>
-            <location filename="../../gui/discrepancy/scene.py" />
             <source>Load Data</source>
             <translation>Завантажити дані</translation>
         </message>
@@ -5181,11 +5151,6 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
             <location filename="../../gui/discrepancy/words.py" />
             <source>Fitting the model with the effect …</source>
             <translation>Оцінювання моделі з ефектом…</translation>
-        </message>
-        <message>
-            <location filename="../../gui/discrepancy/words.py" />
-            <source>Playing the rows with the model …</source>
-            <translation>Програвання рядків моделлю…</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/words.py" />
@@ -7426,25 +7391,6 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
             <translation>Файл пристрою відхилено</translation>
         </message>
         <message>
-            <location filename="../../gui/archive/demo.py" />
-            <source>[[limit]]
-parameter = "bias"
-unit = "code"
-low = -395
-high = -360</source>
-            <translation type="unfinished" />
-        </message>
-        <message>
-            <location filename="../../gui/archive/demo.py" />
-            <source>the archive did not list all</source>
-            <translation type="unfinished" />
-        </message>
-        <message>
-            <location filename="../../gui/archive/demo.py" />
-            <source>the archive did not answer</source>
-            <translation type="unfinished" />
-        </message>
-        <message>
             <location filename="../../gui/archive/library.py" />
             <source>the window was closed; what was taken in stays</source>
             <translation>вікно закрито; те, що взято, лишається</translation>
@@ -8604,31 +8550,6 @@ Without a command the window opens.</translation>
             <translation>містить кілька пристроїв: {names}; виберіть один</translation>
         </message>
         <message>
-            <location filename="../../gui/measuring/added_table.py" />
-            <source>Effects that were added to the model</source>
-            <translation type="unfinished" />
-        </message>
-        <message>
-            <location filename="../../gui/measuring/added_table.py" />
-            <source>Effect</source>
-            <translation type="unfinished" />
-        </message>
-        <message>
-            <location filename="../../gui/measuring/added_table.py" />
-            <source>Where</source>
-            <translation type="unfinished" />
-        </message>
-        <message>
-            <location filename="../../gui/measuring/added_table.py" />
-            <source>taken out in use</source>
-            <translation type="unfinished" />
-        </message>
-        <message>
-            <location filename="../../gui/measuring/added_table.py" />
-            <source>this test alone</source>
-            <translation type="unfinished" />
-        </message>
-        <message>
             <location filename="../../gui/measuring/bench.py" />
             <source>No device</source>
             <translation>Немає пристрою</translation>
@@ -9074,21 +8995,6 @@ Without a command the window opens.</translation>
             <translation>Звільніть там місце або виберіть іншу теку; потім спробуйте знову.</translation>
         </message>
         <message>
-            <location filename="../../gui/methods/comparison_demo.py" />
-            <source>the files were not read</source>
-            <translation type="unfinished" />
-        </message>
-        <message>
-            <location filename="../../gui/methods/comparison_demo.py" />
-            <source>there is no noise to compare</source>
-            <translation type="unfinished" />
-        </message>
-        <message>
-            <location filename="../../gui/methods/comparison_demo.py" />
-            <source>play Allan first</source>
-            <translation type="unfinished" />
-        </message>
-        <message>
             <location filename="../../gui/methods/demo.py" />
             <source>the tumble was not evaluated</source>
             <translation>оберт не оцінено</translation>
@@ -9152,11 +9058,6 @@ Without a command the window opens.</translation>
             <location filename="../../gui/rate_table/guide.py" />
             <source>{name} stood at {mean} throughout: the gyro or its converter is at the end of its range, or the channel is stuck; leave the rate out, or measure a smaller one</source>
             <translation>{name} весь час показував {mean}: гіроскоп або його перетворювач на межі діапазону, або канал завис; пропустіть цю швидкість або виміряйте меншу</translation>
-        </message>
-        <message>
-            <location filename="../../gui/rate_table/processing.py" />
-            <source>table and head run are not fitted together while effects are added: they were found in one of them alone</source>
-            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../gui/rate_table/processing.py" />
@@ -10075,6 +9976,11 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../core/archive/store.py" />
+            <source>{root}: another archive stands there now; nothing is changed: open the archive anew</source>
+            <translation>{root}: тепер там інший архів; нічого не змінено: відкрийте архів знову</translation>
+        </message>
+        <message>
+            <location filename="../../core/archive/store.py" />
             <source>the archive holds nothing of the number {number}: list it anew</source>
             <translation>в архіві немає нічого з номером {number}: оновіть список</translation>
         </message>
@@ -10580,11 +10486,6 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/steps.py" />
-            <source>a smooth curve</source>
-            <translation>гладка крива</translation>
-        </message>
-        <message>
-            <location filename="../../core/discrepancy/steps.py" />
             <source>look at the rig and the sensor where the curve is largest</source>
             <translation>огляньте стенд і датчик там, де крива найбільша</translation>
         </message>
@@ -10597,6 +10498,11 @@ Without a command the window opens.</translation>
             <location filename="../../core/discrepancy/steps.py" />
             <source>{text}: a smooth curve of {size} {unit} rms describes it, largest ({curve} {unit2}) at {worst} {unit3}</source>
             <translation>{text}: її описує гладка крива із СКВ {size} {unit}, найбільша ({curve} {unit2}) при {worst} {unit3}</translation>
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/steps.py" />
+            <source>a smooth curve</source>
+            <translation>гладка крива</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/verdict.py" />
@@ -12344,11 +12250,6 @@ Without a command the window opens.</translation>
             <translation>калібрування приймає {unit}, а коди в {unit2}</translation>
         </message>
         <message>
-            <location filename="../../core/procedures/added.py" />
-            <source>effects are added to plain models alone, not to {join}</source>
-            <translation type="unfinished" />
-        </message>
-        <message>
             <location filename="../../core/procedures/calibration.py" />
             <source>Q needs three sensors with bias, scale factor and both cross axes each</source>
             <translation>Q потребує трьох датчиків, кожен зі зміщенням нуля, масштабним коефіцієнтом і обома перехресними</translation>
@@ -12382,16 +12283,6 @@ Without a command the window opens.</translation>
             <location filename="../../core/procedures/comparison.py" />
             <source>{unit} and {unit2} cannot be compared</source>
             <translation>{unit} і {unit2} неможливо порівняти</translation>
-        </message>
-        <message>
-            <location filename="../../core/procedures/compensation.py" />
-            <source>the effects of this calibration are as large as its scale factor at these outputs; they cannot be taken out</source>
-            <translation type="unfinished" />
-        </message>
-        <message>
-            <location filename="../../core/procedures/compensation.py" />
-            <source>this calibration has effects of temperature: state the temperature</source>
-            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../core/procedures/conformity.py" />
@@ -13500,16 +13391,6 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../core/records/calibration_json.py" />
-            <source>U in {unit}, {symbol} in {unit2}</source>
-            <translation type="unfinished" />
-        </message>
-        <message>
-            <location filename="../../core/records/calibration_json.py" />
-            <source>+ e, the added effects</source>
-            <translation type="unfinished" />
-        </message>
-        <message>
-            <location filename="../../core/records/calibration_json.py" />
             <source>accelerometer or gyro</source>
             <translation>акселерометр або гіроскоп</translation>
         </message>
@@ -13522,16 +13403,6 @@ Without a command the window opens.</translation>
             <location filename="../../core/records/calibration_json.py" />
             <source>x, y, z or empty</source>
             <translation>x, y, z або порожньо</translation>
-        </message>
-        <message>
-            <location filename="../../core/records/calibration_json.py" />
-            <source>an identifier of the catalogue</source>
-            <translation type="unfinished" />
-        </message>
-        <message>
-            <location filename="../../core/records/calibration_json.py" />
-            <source>names of parameters of the fit</source>
-            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../core/records/calibration_json.py" />
@@ -13617,11 +13488,6 @@ Without a command the window opens.</translation>
             <location filename="../../core/records/drift_exports.py" />
             <source>CSV of the table</source>
             <translation>CSV таблиці</translation>
-        </message>
-        <message>
-            <location filename="../../core/records/export_csv.py" />
-            <source>added to {name}: {name2}, {equation}; {in_use}</source>
-            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../core/records/export_csv.py" />

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from core.archive.entry import DAMAGED, FINISHED, OPEN
+from core.archive.place import same_place
 from core.archive.store import Archive
 from core.errors import StorageError
 from core.procedures.calibration import Calibration
@@ -165,3 +166,28 @@ def test_progress_is_told_and_may_break_off_without_loss(root: Path, triad: Cali
         assert 199 <= before <= 200
         assert archive.refresh(lambda *_: None).taken == 450 - before
         assert archive.search().total == 450
+
+
+def test_a_folder_that_is_gone_or_another_one_is_not_forgotten(
+    root: Path, triad: Calibration
+) -> None:
+    calibrated(triad, root / "a")
+    moved = root.parent / "moved"
+    with Archive(root) as archive:
+        archive.refresh()
+        number = archive.search().entries[0].id
+        root.rename(moved)
+        assert not same_place(archive.place)
+        with pytest.raises(StorageError, match="connect the disk"):
+            archive.refresh()
+        root.mkdir()
+        (root / "archive.json").write_text(
+            (moved / "archive.json").read_text("utf-8").replace(archive.place.id, "another"),
+            "utf-8",
+        )
+        with pytest.raises(StorageError, match="another archive stands there now"):
+            archive.refresh()
+        assert archive.search().total == 1
+    with Archive(moved) as archive:
+        assert archive.refresh().taken == 0
+        assert archive.search().entries[0].id == number

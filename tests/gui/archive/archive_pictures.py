@@ -63,8 +63,10 @@ class Studio:
     def __init__(self, qt: QApplication, root: Path, folder: Path) -> None:
         self.qt, self.folder = qt, folder
         self.app = Application(qt, Options("", root, root.parent / "settings.json", quiet=True))
+        ready: list[bool] = []
+        self.app.ready.connect(lambda: ready.append(True))
         self.app.start()
-        until(lambda: "Archive" in self.app.tabs)
+        until(lambda: bool(ready))
         tab = self.app.tabs["Archive"]
         if not isinstance(tab, ArchiveTab):
             raise TypeError("the tab is not the archive's")

@@ -94,6 +94,57 @@ def test_a_calibration_shows_its_parameters_and_their_history(
     assert followed.history.unit == "code/(m/s^2)"
 
 
+def test_only_calibrations_at_one_temperature_count(
+    tab: ArchiveTab, qtbot: QtBot, root: Path, triad: Calibration
+) -> None:
+    for year, bias, warmth in ((2023, 0.0, 21.0), (2024, 9.0, 39.5), (2025, 2.0, 22.0)):
+        when = f"{year}-03-01T10:00:00+00:00"
+        folder = measured(root / f"{year}0301_PW09", started=when)
+        calibrated(triad, folder, when=when, bias=bias, temperature_c=warmth)
+    show(tab, qtbot)
+    choose(tab, qtbot, places_of(tab, "calibration")[0])
+    box = tab.view.temperature
+    texts = [box.itemText(place) for place in range(box.count())]
+    assert texts == ["all temperatures", "22 ± 5 °C", "40 ± 5 °C"]
+    history = tab.presenter.state.history
+    assert history is not None
+    assert history.counted.tolist() == [1, 1, 1]
+    box.setFocus()
+    qtbot.keyClick(box, Qt.Key.Key_Down)
+    settle(tab, qtbot)
+    state = tab.presenter.state
+    assert state.history is not None
+    assert state.findings is not None
+    assert state.history.counted.tolist() == [1, 0, 1]
+    assert state.history.spread == pytest.approx(2.0 / 2**0.5)
+    assert state.findings.tables[-1].title == "History of acc_x  bias, 2 calibrations"
+    assert "1 calibrations not at about 21.5 °C" in state.findings.notes[-1].text
+    tab.view.parameter.activated.emit(1)
+    settle(tab, qtbot)
+    assert tab.presenter.state.temperature == 1
+    qtbot.keyClick(box, Qt.Key.Key_Up)
+    settle(tab, qtbot)
+    assert box.currentIndex() == 0
+    assert tab.presenter.state.history is not None
+    assert tab.presenter.state.history.counted.tolist() == [1, 1, 1]
+
+
+def test_a_unit_that_was_never_at_the_chosen_temperature_is_followed_at_all(
+    tab: ArchiveTab, qtbot: QtBot, filled: Path, triad: Calibration
+) -> None:
+    other = measured(filled / "20260301_PW12", device="PW12", started="2026-03-01T10:00:00+00:00")
+    calibrated(triad, other, device="PW12", when="2026-03-01T10:00:00+00:00", temperature_c=-30.0)
+    show(tab, qtbot)
+    choose(tab, qtbot, places_of(tab, "calibration")[0])
+    tab.presenter.at(1)
+    settle(tab, qtbot)
+    assert tab.presenter.state.temperature == 1
+    choose(tab, qtbot, places_of(tab, "calibration", "PW12")[0])
+    assert tab.presenter.state.temperature == 0
+    assert tab.presenter.state.history is not None
+    assert tab.presenter.state.history.counted.tolist() == [1]
+
+
 def test_two_calibrations_are_compared(tab: ArchiveTab, qtbot: QtBot, filled: Path) -> None:
     show(tab, qtbot)
     newest, middle, _ = places_of(tab, "calibration")
