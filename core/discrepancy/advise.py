@@ -5,6 +5,7 @@ together, no other rival can imitate it (Box and Hill 1967; Hunter and Reiner 19
 """
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -18,6 +19,7 @@ from core.discrepancy.result import NextMeasurement
 from core.discrepancy.sets import rivals_of
 from core.discrepancy.slots import Slot, State
 from core.discrepancy.space import Space, orthonormal
+from core.model.effect import Effect
 
 _NEEDED = 14.0
 """Twice the nats by which one name must lead: three to be alone, four for the choice of shape."""
@@ -27,7 +29,7 @@ _MOST_RIVALS = 6
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Rival:
+class Rival:
     """One explanation of the data: all slots, with values."""
 
     names: tuple[str, ...]
@@ -37,7 +39,7 @@ class _Rival:
 
 def advise(engine: Engine, state: State) -> tuple[NextMeasurement, ...]:
     """Return the follow-ups that separate the ambiguity sets best; none where nothing is tied."""
-    sets = _tied(engine, state)
+    sets = tied_sets(engine, state)
     if not sets:
         return ()
     found = [_judged(engine, sets, follow) for follow in followups_of(engine.problem.run)]
@@ -46,13 +48,14 @@ def advise(engine: Engine, state: State) -> tuple[NextMeasurement, ...]:
     return tuple(found[:_SHOWN])
 
 
-def _tied(engine: Engine, state: State) -> list[list[_Rival]]:
-    sets: list[list[_Rival]] = []
+def tied_sets(engine: Engine, state: State) -> list[list[Rival]]:
+    """The rivals of each step that has any."""
+    sets: list[list[Rival]] = []
     for place in range(len(state.slots)):
         rivals = rivals_of(engine, state, place)
         scored = {name: (one, weight) for name, one, weight in rivals.ranked}
         names = [state.slots[place].name, *rivals.names][:_MOST_RIVALS]
-        members: list[_Rival] = []
+        members: list[Rival] = []
         for name in names:
             one, weight = scored.get(name, (None, 0.0))
             slot = state.slots[place] if name == state.slots[place].name else None
@@ -60,13 +63,13 @@ def _tied(engine: Engine, state: State) -> list[list[_Rival]]:
                 slot = engine.search.polished(one.slot, rivals.others)
             if slot is not None and slot.raw.shape[1]:
                 slots = (*rivals.others.slots, slot)
-                members.append(_Rival((name,), slots, max(weight, 0.05)))
+                members.append(Rival((name,), slots, max(weight, 0.05)))
         if len(members) > 1:
             sets.append(members)
     return sets
 
 
-def _judged(engine: Engine, sets: list[list[_Rival]], follow: FollowUp) -> NextMeasurement:
+def _judged(engine: Engine, sets: list[list[Rival]], follow: FollowUp) -> NextMeasurement:
     both = Problem.of(follow.run)
     # The response is known from the old rows; the new ones have no outputs yet.
     both = replace(both, models=engine.problem.models)
@@ -75,7 +78,7 @@ def _judged(engine: Engine, sets: list[list[_Rival]], follow: FollowUp) -> NextM
     space = Space.of(sizes, both.design(), engine.floor.prior)
     chance = 1.0
     for members in sets:
-        chance *= _chance(engine, both, space, members)
+        chance *= chance_of(engine, both.columns, space, members)
     names = sorted({name for members in sets for one in members for name in one.names})
     return NextMeasurement(
         title=follow.title,
@@ -86,15 +89,18 @@ def _judged(engine: Engine, sets: list[list[_Rival]], follow: FollowUp) -> NextM
     )
 
 
-def _chance(engine: Engine, both: Problem, space: Space, members: list[_Rival]) -> float:
-    """Probability that the right one of these rivals ends alone."""
+def chance_of(
+    engine: Engine,
+    columns: Callable[[Effect, int], FloatArray],
+    space: Space,
+    members: list[Rival],
+) -> float:
+    """Probability that the right one of these rivals ends alone in the rows of a space."""
     spans: list[FloatArray] = []
     means: list[FloatArray] = []
     for member in members:
         raw = [
-            both.columns(s.instance.effect, s.instance.channel)
-            for s in member.slots
-            if s.raw.shape[1]
+            columns(s.instance.effect, s.instance.channel) for s in member.slots if s.raw.shape[1]
         ]
         white = space.rest(np.hstack(raw))
         spans.append(orthonormal(white))
@@ -112,7 +118,7 @@ def _chance(engine: Engine, both: Problem, space: Space, members: list[_Rival]) 
     return total / weight
 
 
-def _values(engine: Engine, member: _Rival) -> FloatArray:
+def _values(engine: Engine, member: Rival) -> FloatArray:
     """Fitted values of a rival's own effect in the data that are there."""
     others = engine.search.state(member.slots[:-1])
     rest = engine.search.bank.space.rest(member.slots[-1].raw)
