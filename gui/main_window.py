@@ -3,7 +3,7 @@
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
-from PySide6.QtCore import QEvent, QLocale, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QLocale, QSignalBlocker, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QAction, QCloseEvent, QHelpEvent, QKeySequence, QPaintEvent, QShortcut
 from PySide6.QtWidgets import (
     QDockWidget,
@@ -196,11 +196,13 @@ class MainWindow(QMainWindow):
         """Put a tab's page where its empty one stood."""
         current = self.tabs.currentIndex()
         empty = self.tabs.widget(place)
-        self.tabs.removeTab(place)
-        self.tabs.insertTab(place, page, "")
-        self._titles[place] = title
-        self._name_tabs()
-        self.tabs.setCurrentIndex(current)
+        # Nobody changes the tab: what stands in front stays there.
+        with QSignalBlocker(self.tabs):
+            self.tabs.removeTab(place)
+            self.tabs.insertTab(place, page, "")
+            self._titles[place] = title
+            self._name_tabs()
+            self.tabs.setCurrentIndex(current)
         if empty is not None:
             empty.deleteLater()
 
@@ -249,7 +251,8 @@ class MainWindow(QMainWindow):
         """Dock the rig, or take it away."""
         if panel is not None and self.rig_dock.widget() is not panel:
             self.rig_dock.setWidget(panel)
-            self.resizeDocks([self.rig_dock], [panel.minimumWidth()], Qt.Orientation.Horizontal)
+            width = panel.minimumSizeHint().width()
+            self.resizeDocks([self.rig_dock], [width], Qt.Orientation.Horizontal)
         self._rig_was_open = panel is not None
         self.rig_dock.setVisible(panel is not None and not self._roomy)
         self.rig_dock.toggleViewAction().setVisible(panel is not None)

@@ -106,6 +106,7 @@ class HeadForm(SettingsForm[HeadSettings]):
         for mount in MOUNTS:
             self._free_mount.addItem(f"{mount.replace('_', ' ')} ODH", mount)
         self._free_angle.setSuffix("°")
+        self._free_angle.setMinimumWidth(5 * self.fontMetrics().height())
         grid.addWidget(self.caption(lambda: self.tr("Free angle")), 0, 0, 1, 3)
         grid.addWidget(self._free_mount, 1, 0)
         grid.addWidget(self._free_angle, 1, 1)

@@ -37,6 +37,8 @@ _NOT_SHOWN = (
 _WORDS = (
     "angle", "angles", "code", "column", "done", "heading", "headings", "line", "now", "position",
     "positions", "problem", "rate", "rates", "row", "rows", "turn-on", "turn-ons",
+    "session", "calibration", "legacy", "record", "means", "noise", "finished", "open", "good",
+    "doubt", "bad", "damaged", "bias", "differs", "cross axis x", "cross axis y", "cross axis z",
     "{n} files", "{n} headings", "{n} positions", "{n} rates", "{n} rows", "{n} samples",
 )  # fmt: skip
 """What sentences are put together from while the program runs."""

@@ -64,6 +64,7 @@ class SettingsView(QWidget):
         form = QFormLayout()
         form.setContentsMargins(0, 0, 0, 0)
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        form.setRowWrapPolicy(QFormLayout.RowWrapPolicy.WrapLongRows)
         fields = (self.port, self.serial, self.kind, self.profile, self.scale, self.sampling)
         for label, field in zip(self._labels.values(), fields, strict=True):
             form.addRow(label, field)

@@ -22,6 +22,9 @@ class ToolsView(QWidget):
         self._points_label, self._decimation_label = QLabel(), QLabel()
         form = QFormLayout(self)
         form.setContentsMargins(0, 0, 0, 0)
+        for field in (self.points, self.decimation):
+            # The largest number of the range would claim the place of the words.
+            field.setMinimumWidth(7 * self.fontMetrics().height())
         form.addRow(self._points_label, self.points)
         form.addRow(self._decimation_label, self.decimation)
         self.points.valueChanged.connect(self._on_edited)

@@ -31,7 +31,7 @@ class LiveTable(QTableWidget):
         self.setShowGrid(False)
         self.setAlternatingRowColors(True)
         header = self.horizontalHeader()
-        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         header.setDefaultAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignBottom)
         header.setSectionsClickable(False)
         self.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
@@ -56,6 +56,10 @@ class LiveTable(QTableWidget):
                 text = shown_number(text)
                 if item is not None and item.text() != text:
                     item.setText(text)
+        columns = range(self.columnCount())
+        # Only then, so that columns do not dance with their numbers.
+        if any(self.sizeHintForColumn(i) > self.columnWidth(i) for i in columns):
+            self._share_width()
 
     def _texts(self, row: LiveRow) -> tuple[str, ...]:
         texts = (row.mean, row.std, row.temp)
@@ -94,12 +98,15 @@ class LiveTable(QTableWidget):
         return headers
 
     def _share_width(self) -> None:
-        """Columns share the width; where it is too little for them, each takes what it needs."""
+        """Each column has what it needs, and they share the rest."""
         header = self.horizontalHeader()
-        needed = max((header.sectionSizeHint(i) for i in range(header.count())), default=0)
-        fits = needed * header.count() <= self.viewport().width()
-        mode = QHeaderView.ResizeMode
-        header.setSectionResizeMode(mode.Stretch if fits else mode.ResizeToContents)
+        needed = [self.sizeHintForColumn(i) for i in range(header.count())]
+        needed = [max(header.sectionSizeHint(i), width) for i, width in enumerate(needed)]
+        rest = max(0, self.viewport().width() - sum(needed))
+        for place, width in enumerate(needed):
+            share = rest // (len(needed) - place)
+            rest -= share
+            header.resizeSection(place, width + share)
 
     def needed_width(self) -> int:
         """Width at which no column is cut."""
@@ -123,3 +130,4 @@ class LiveTable(QTableWidget):
         super().changeEvent(event)
         if event.type() == QEvent.Type.LanguageChange and self.columnCount():
             self.setHorizontalHeaderLabels(self._headers())
+            self._share_width()

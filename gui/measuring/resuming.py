@@ -74,7 +74,7 @@ def _banner(one: Unfinished, others: int, nouns: str) -> BannerState:
     return BannerState(
         Severity.INFO,
         f"A session of {record.start.device} is not finished",
-        f"Begun {started:%d.%m.%Y %H:%M}, {one.done} of {total} {nouns} are on the disk.{more}",
+        f"Begun {started:%Y-%m-%d %H:%M}, {one.done} of {total} {nouns} are on the disk.{more}",
         "",
         (RESUME, LEAVE),
     )

@@ -7,12 +7,10 @@ from PySide6.QtGui import QKeySequence, QPalette, QResizeEvent, QShortcut, QShow
 from PySide6.QtWidgets import (
     QBoxLayout,
     QFileDialog,
-    QFrame,
     QHBoxLayout,
     QLabel,
     QLineEdit,
     QPushButton,
-    QScrollArea,
     QSplitter,
     QVBoxLayout,
     QWidget,
@@ -26,6 +24,7 @@ from gui.measuring.settings_view import SettingsForm
 from gui.measuring.state import MeasuringState
 from gui.widgets.action_bar import ActionBar
 from gui.widgets.fields import ChoiceField
+from gui.widgets.side_scroll import SideScroll
 from gui.widgets.stage import Stage
 from gui.widgets.step_list import StepList
 
@@ -106,7 +105,7 @@ class MeasuringView(QWidget):
         self._middle.setStretchFactor(1, 2)
         self._middle.setSizes([20 * unit, 22 * unit])
         self._middle.setChildrenCollapsible(False)
-        self.stage.setMinimumHeight(17 * unit)
+        self.stage.setMinimumHeight(13 * unit)
         self._across = QSplitter(Qt.Orientation.Horizontal)
         for part in (self._left, self._middle, self.results):
             self._across.addWidget(part)
@@ -131,19 +130,13 @@ class MeasuringView(QWidget):
         session.addWidget(self._session_label)
         session.addWidget(self._session, 1)
         session.addWidget(self._new)
-        scroll = QScrollArea()
-        scroll.setWidget(self.settings)
-        scroll.setWidgetResizable(True)
-        scroll.setFrameShape(QFrame.Shape.NoFrame)
-        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         column = QVBoxLayout(left)
         column.setContentsMargins(unit // 2, unit // 2, unit // 2, 0)
         column.setSpacing(unit // 2)
         column.addLayout(plan)
         column.addWidget(self.steps, 4)
-        column.addWidget(scroll, 3)
+        column.addWidget(SideScroll(self.settings, 20 * unit), 3)
         column.addLayout(session)
-        left.setMinimumWidth(21 * unit)
         return left
 
     def _connect(self) -> None:

@@ -80,7 +80,7 @@ class PreferencesView(QWidget):
             grid.addWidget(self._labels[place], row, column)
             grid.addWidget(field, row, column + 1)
             self._labels[place].setBuddy(field)
-            field.setMinimumWidth(10 * unit)
+            field.setMinimumWidth(11 * unit)
         grid.setColumnStretch(8, 1)
         folder = QHBoxLayout()
         folder.addWidget(self._labels[7])

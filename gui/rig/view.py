@@ -7,7 +7,6 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLabel,
     QPushButton,
-    QScrollArea,
     QVBoxLayout,
     QWidget,
 )
@@ -15,6 +14,7 @@ from PySide6.QtWidgets import (
 from gui.rig.dial_view import Dial
 from gui.rig.presenter import RigPresenter, RigView
 from gui.widgets.fields import ChoiceField, NumberField
+from gui.widgets.side_scroll import SideScroll
 from gui.widgets.toggle import Toggle
 from gui.widgets.word_label import WordLabel
 
@@ -97,19 +97,13 @@ class RigPanel(QWidget):
             buttons.addWidget(button, place // 2, place % 2)
         column.addLayout(buttons)
         column.addStretch(1)
-        scroll = QScrollArea()
-        scroll.setWidget(page)
-        scroll.setWidgetResizable(True)
-        scroll.setFrameShape(QScrollArea.Shape.NoFrame)
         for field in (self._angle, self._celsius, self._rate, self._mount):
             field.setMinimumWidth(4 * unit)
-        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         outer = QVBoxLayout(self)
         outer.setContentsMargins(0, 0, 0, 0)
-        outer.addWidget(scroll)
+        outer.addWidget(SideScroll(page, 17 * unit))
         for button in (self._plug, self._burst, *self._fault_buttons.values(), self._go):
             button.setMinimumWidth(2 * unit)
-        self.setMinimumWidth(17 * unit)
 
     def render(self, view: RigView | None) -> None:
         """Show a state."""

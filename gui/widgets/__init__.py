@@ -23,6 +23,7 @@ table_picture     how the rate table turns
 step_list         the steps of a plan
 action_bar        the row of actions and its keys
 toggle            a switch
+side_scroll       a column of settings as wide as it needs
 fields            numbers and choices that no wheel changes by accident
 banner            inline message: what happened, what it means, what to do
 device_strip      device, port, link, counters
@@ -54,6 +55,7 @@ field_form        fields, each behind its name
 noise_fields      N, B and K of a sensor, typed or from a record
 findings_view     tables, doubts, and what can be exported: the right-hand side
 result_table      texts under a title and an equation; clipboard
+kept_columns      wide tables whose first columns stay
 table_model       rows under a header, for the views of tables
 table_text        tables as TSV and CSV
 painted_view      drawn whole by one method, on the screen and for export

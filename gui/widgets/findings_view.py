@@ -2,7 +2,6 @@
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtWidgets import (
-    QComboBox,
     QFrame,
     QHBoxLayout,
     QLineEdit,
@@ -13,6 +12,7 @@ from PySide6.QtWidgets import (
 )
 
 from gui.languages.shown import shown
+from gui.widgets.fields import ChoiceField
 from gui.widgets.note_line import NoteLine
 from gui.widgets.result_table import ResultTable
 from gui.widgets.states import FindingsState
@@ -54,7 +54,7 @@ class FindingsView(QWidget):
         scroll.setWidgetResizable(True)
         scroll.setFrameShape(QFrame.Shape.NoFrame)
         scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self._formats, self._name, self._export = QComboBox(), QLineEdit(), QPushButton()
+        self._formats, self._name, self._export = ChoiceField(), QLineEdit(), QPushButton()
         self._formats.activated.connect(self._on_format)
         self._name.returnPressed.connect(self.export)
         self._export.clicked.connect(self.export)

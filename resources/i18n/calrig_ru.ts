@@ -66,7 +66,7 @@
         <message>
             <location filename="../../gui/accuracy/settings_view.py" />
             <source>with uncertainty: guard band U</source>
-            <translation>с неопределённостью: защитная полоса U</translation>
+            <translation>защитная полоса U</translation>
         </message>
         <message>
             <location filename="../../gui/accuracy/settings_view.py" />
@@ -76,7 +76,7 @@
         <message>
             <location filename="../../gui/accuracy/settings_view.py" />
             <source>nearest of this unit</source>
-            <translation>ближайшая этого изделия</translation>
+            <translation>ближайшая</translation>
         </message>
         <message>
             <location filename="../../gui/accuracy/settings_view.py" />
@@ -2737,6 +2737,11 @@
         </message>
         <message>
             <location filename="../../gui/discrepancy/plots_view.py" />
+            <source>simulated rig</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/plots_view.py" />
             <source>residual</source>
             <translation>остаток</translation>
         </message>
@@ -2752,8 +2757,8 @@
         </message>
         <message>
             <location filename="../../gui/discrepancy/plots_view.py" />
-            <source>the model, played</source>
-            <translation>модель, проиграна</translation>
+            <source>simulated rig less model</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../gui/discrepancy/plots_view.py" />
@@ -3021,12 +3026,12 @@
         <message>
             <location filename="../../gui/rate_table/settings_view.py" />
             <source>largest</source>
-            <translation>наибольшая</translation>
+            <translation>макс.</translation>
         </message>
         <message>
             <location filename="../../gui/rate_table/settings_view.py" />
             <source>not stated</source>
-            <translation>не указано</translation>
+            <translation>не задана</translation>
         </message>
         <message>
             <location filename="../../gui/rate_table/settings_view.py" />
@@ -3224,7 +3229,7 @@
         <message>
             <location filename="../../gui/rig/view.py" />
             <source>Operator turns it for me</source>
-            <translation>Оператор поворачивает за меня</translation>
+            <translation>Поворачивает оператор</translation>
         </message>
         <message>
             <location filename="../../gui/rig/view.py" />
@@ -3649,7 +3654,7 @@
         <message>
             <location filename="../../gui/live/settings_view.py" />
             <source>Sampling frequency</source>
-            <translation>Частота дискретизации</translation>
+            <translation>Дискретизация</translation>
         </message>
         <message>
             <location filename="../../gui/live/settings_view.py" />
@@ -4198,6 +4203,11 @@
             <location filename="../../gui/advisor/words.py" />
             <source>{count} temperatures</source>
             <translation>температур: {count}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/allan/exporting.py" />
+            <source>Plot, {suffix}</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../gui/archive/actions.py" />
@@ -5184,8 +5194,8 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         </message>
         <message>
             <location filename="../../gui/discrepancy/words.py" />
-            <source>Playing the rows with the model …</source>
-            <translation>Проигрывание строк моделью …</translation>
+            <source>Walking the rows on the simulated rig …</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../gui/discrepancy/words.py" />
@@ -6261,18 +6271,8 @@ State the noise of the gyro at the left, or take it from a record, to see how lo
         </message>
         <message>
             <location filename="../../gui/report_export.py" />
-            <source>Picture, SVG</source>
-            <translation>Рисунок, SVG</translation>
-        </message>
-        <message>
-            <location filename="../../gui/report_export.py" />
-            <source>Picture, PNG</source>
-            <translation>Рисунок, PNG</translation>
-        </message>
-        <message>
-            <location filename="../../gui/report_export.py" />
-            <source>Picture, PDF</source>
-            <translation>Рисунок, PDF</translation>
+            <source>Picture, {suffix}</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../gui/thermal/findings.py" />
@@ -6710,7 +6710,7 @@ Simulated cycle (F6) shows the tab on a made-up unit.</source>
         <message>
             <location filename="../../gui/tour/steps.py" />
             <source>Drag the hand of the dial, or let Operator turns it for me do it. Faults can be tried as well: unplug the cable, and see that nothing is lost.</source>
-            <translation>Потяните стрелку лимба или дайте «Оператор поворачивает за меня» сделать это. Можно испытать и неисправности: отключите кабель и увидите, что ничего не потеряно.</translation>
+            <translation>Потяните стрелку лимба или дайте «Поворачивает оператор» сделать это. Можно испытать и неисправности: отключите кабель и увидите, что ничего не потеряно.</translation>
         </message>
         <message>
             <location filename="../../gui/tour/steps.py" />
@@ -7020,21 +7020,6 @@ Measure the plan fourier_400 (5° to 400° by 5°) or fourier_flip in the tab Di
             <location filename="../../gui/allan/demo.py" />
             <source>{name} was not written</source>
             <translation>{name} не записано</translation>
-        </message>
-        <message>
-            <location filename="../../gui/allan/exporting.py" />
-            <source>Plot, SVG</source>
-            <translation>График, SVG</translation>
-        </message>
-        <message>
-            <location filename="../../gui/allan/exporting.py" />
-            <source>Plot, PNG</source>
-            <translation>График, PNG</translation>
-        </message>
-        <message>
-            <location filename="../../gui/allan/exporting.py" />
-            <source>Plot, PDF</source>
-            <translation>График, PDF</translation>
         </message>
         <message>
             <location filename="../../gui/allan/exporting.py" />
@@ -7726,6 +7711,11 @@ high = -360</source>
         </message>
         <message>
             <location filename="../../gui/discrepancy/demo.py" />
+            <source>the session was not calibrated</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/demo.py" />
             <source>nothing was found</source>
             <translation>ничего не найдено</translation>
         </message>
@@ -7733,6 +7723,21 @@ high = -360</source>
             <location filename="../../gui/discrepancy/demo.py" />
             <source>the search did not end</source>
             <translation>поиск не завершился</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/demo.py" />
+            <source>the effect was not added</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/demo.py" />
+            <source>the rig did not walk the rows</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/demo.py" />
+            <source>the calibration did not take the effect</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../gui/discrepancy/demo.py" />
@@ -7951,18 +7956,23 @@ high = -360</source>
         </message>
         <message>
             <location filename="../../gui/drift/library.py" />
+            <source>drift table</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/drift/library.py" />
             <source>turn-ons in {join}; one unit is needed</source>
             <translation>включения в {join}; нужна одна единица</translation>
         </message>
         <message>
             <location filename="../../gui/drift/library.py" />
-            <source>{memory} bytes hold no table of {temperatures} temperatures; two knots need {temperatures2}</source>
-            <translation>{memory} [байт|байта|байтов] не вмещают таблицы для {temperatures} [температуры|температур|температур]; двум узлам нужно {temperatures2}</translation>
+            <source>cannot be read: {error}</source>
+            <translation>невозможно прочитать: {error}</translation>
         </message>
         <message>
             <location filename="../../gui/drift/library.py" />
-            <source>cannot be read: {error}</source>
-            <translation>невозможно прочитать: {error}</translation>
+            <source>{memory} bytes hold no table of {temperatures} temperatures; two knots need {temperatures2}</source>
+            <translation>{memory} [байт|байта|байтов] не вмещают таблицы для {temperatures} [температуры|температур|температур]; двум узлам нужно {temperatures2}</translation>
         </message>
         <message>
             <location filename="../../gui/drift/reading.py" />
@@ -7978,6 +7988,11 @@ high = -360</source>
             <location filename="../../gui/drift/tab.py" />
             <source>Drift after switching on</source>
             <translation>Дрейф после включения</translation>
+        </message>
+        <message>
+            <location filename="../../gui/exporting.py" />
+            <source>{parent}: cannot be made ({strerror})</source>
+            <translation>{parent}: невозможно создать ({strerror})</translation>
         </message>
         <message>
             <location filename="../../gui/frames/definition_view.py" />
@@ -8789,11 +8804,6 @@ Without a command the window opens.</translation>
             <translation>накопление не началось</translation>
         </message>
         <message>
-            <location filename="../../gui/measuring/exporting.py" />
-            <source>{key} export</source>
-            <translation>{key} export</translation>
-        </message>
-        <message>
             <location filename="../../gui/measuring/head_words.py" />
             <source>Turn to {angle_words}</source>
             <translation>Задайте {angle_words}</translation>
@@ -8952,6 +8962,11 @@ Without a command the window opens.</translation>
             <location filename="../../gui/measuring/sitting.py" />
             <source>The text file is behind</source>
             <translation>Текстовый файл отстал</translation>
+        </message>
+        <message>
+            <location filename="../../gui/measuring/tab.py" />
+            <source>{key} export</source>
+            <translation>{key} export</translation>
         </message>
         <message>
             <location filename="../../gui/measuring/tab.py" />
@@ -9357,11 +9372,6 @@ Without a command the window opens.</translation>
             <location filename="../../gui/record_noise.py" />
             <source>{name}: the record is in {unit}, no unit of a {kind}; state the scale factor, or type N, B and K as the Allan tab tells them</source>
             <translation>{name}: запись в {unit}, что не является единицей {kind}; укажите масштабный коэффициент или введите N, B и K, как их показывает вкладка Аллана</translation>
-        </message>
-        <message>
-            <location filename="../../gui/report_export.py" />
-            <source>{parent}: cannot be made ({strerror})</source>
-            <translation>{parent}: невозможно создать ({strerror})</translation>
         </message>
         <message>
             <location filename="../../gui/rig/view.py" />
@@ -10075,6 +10085,11 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../core/archive/store.py" />
+            <source>{root}: another archive stands there now; nothing is changed: open the archive anew</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/archive/store.py" />
             <source>the archive holds nothing of the number {number}: list it anew</source>
             <translation>в архиве нет ничего с номером {number}: обновите список</translation>
         </message>
@@ -10450,6 +10465,11 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record.py" />
+            <source>No effect stands out, but the bias wanders far more than in sensors of this kind: it is {scatter}, or something that the catalogue does not know.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record.py" />
             <source>Missing in the model: {named}. {closing} The rest is {scatter}.</source>
             <translation>Модели недостаёт: {named}. {closing} Остаток — {scatter}.</translation>
         </message>
@@ -10490,6 +10510,11 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record.py" />
+            <source>the bias wanders several times as much as in sensors of this kind: noise of this unit, or a cause that is not in the catalogue; a second record tells, for noise goes another way then</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record.py" />
             <source>named, not yet confirmed: only another record, with temperature and time going otherwise, confirms it</source>
             <translation>назван, ещё не подтверждён: подтвердит только другая запись, в которой температура и время идут иначе</translation>
         </message>
@@ -10522,6 +10547,76 @@ Without a command the window opens.</translation>
             <location filename="../../core/discrepancy/record_facts.py" />
             <source>the temperature is {value} degC to the last bit in {int} samples in succession from {at} s on</source>
             <translation>температура равна {value} °C до последнего бита в {int} отсчётах подряд от {at} s</translation>
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>Restart from cold</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>what settles after switching on begins anew, what drifts goes on</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>Temperature held after a warm-up of an hour</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>nothing that goes with temperature or with switching on is left</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>Temperature up and down by {span_c} degC at {rate} degC/min</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>both directions and a rest between tell lag, hysteresis, slope and time apart</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>Drive amplitude {drive} % higher for a third of the record</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>what goes with the drive steps, what goes with temperature or time does not</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>on, temperature held</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>temperature held</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>up by {span_c} degC</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>down by {span_c} degC</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>{name}, {minutes} min</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>amplitude as it is</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../core/discrepancy/record_problem.py" />
@@ -10580,8 +10675,8 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/steps.py" />
-            <source>a smooth curve</source>
-            <translation>плавная кривая</translation>
+            <source>{text}: the output goes to and fro between two levels, {abs} {unit} apart, {changes} times</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../core/discrepancy/steps.py" />
@@ -10597,6 +10692,16 @@ Without a command the window opens.</translation>
             <location filename="../../core/discrepancy/steps.py" />
             <source>{text}: a smooth curve of {size} {unit} rms describes it, largest ({curve} {unit2}) at {worst} {unit3}</source>
             <translation>{text}: её описывает плавная кривая с СКО {size} {unit}, наибольшая ({curve} {unit2}) при {worst} {unit3}</translation>
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/steps.py" />
+            <source>a smooth curve</source>
+            <translation>плавная кривая</translation>
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/steps.py" />
+            <source>two levels</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../core/discrepancy/verdict.py" />
@@ -15547,6 +15652,91 @@ Without a command the window opens.</translation>
             <location filename="../../gui/languages/plain_texts.py" />
             <source>turn-on</source>
             <translation>включение</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>session</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>calibration</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>legacy</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>record</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>means</source>
+            <translation>средние</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>noise</source>
+            <translation>шум</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>finished</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>open</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>good</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>doubt</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>bad</source>
+            <translation>плохие</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>damaged</source>
+            <translation>повреждён</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>bias</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>differs</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>cross axis x</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>cross axis y</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>cross axis z</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../gui/languages/plain_texts.py" />

@@ -76,7 +76,7 @@
         <message>
             <location filename="../../gui/accuracy/settings_view.py" />
             <source>nearest of this unit</source>
-            <translation>найближче цього виробу</translation>
+            <translation>найближче</translation>
         </message>
         <message>
             <location filename="../../gui/accuracy/settings_view.py" />
@@ -2737,6 +2737,11 @@
         </message>
         <message>
             <location filename="../../gui/discrepancy/plots_view.py" />
+            <source>simulated rig</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/plots_view.py" />
             <source>residual</source>
             <translation>залишок</translation>
         </message>
@@ -2749,6 +2754,11 @@
             <location filename="../../gui/discrepancy/plots_view.py" />
             <source>95 % band for all points</source>
             <translation>смуга 95 % для всіх точок</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/plots_view.py" />
+            <source>simulated rig less model</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../gui/discrepancy/plots_view.py" />
@@ -3016,12 +3026,12 @@
         <message>
             <location filename="../../gui/rate_table/settings_view.py" />
             <source>largest</source>
-            <translation>найбільша</translation>
+            <translation>макс.</translation>
         </message>
         <message>
             <location filename="../../gui/rate_table/settings_view.py" />
             <source>not stated</source>
-            <translation>не вказано</translation>
+            <translation>не задано</translation>
         </message>
         <message>
             <location filename="../../gui/rate_table/settings_view.py" />
@@ -3135,6 +3145,11 @@
         <name>ResultsView</name>
         <message>
             <location filename="../../gui/measuring/results_view.py" />
+            <source>With: {effects}</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/measuring/results_view.py" />
             <source>Certificate</source>
             <translation>Сертифікат</translation>
         </message>
@@ -3157,6 +3172,16 @@
             <location filename="../../gui/measuring/results_view.py" />
             <source>Compare the model with the rows: find out what it lacks</source>
             <translation>Порівняти модель з рядками: з'ясувати, чого їй бракує</translation>
+        </message>
+        <message>
+            <location filename="../../gui/measuring/results_view.py" />
+            <source>Take Out</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/measuring/results_view.py" />
+            <source>Calibrate by the plain model again</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../gui/measuring/results_view.py" />
@@ -3629,7 +3654,7 @@
         <message>
             <location filename="../../gui/live/settings_view.py" />
             <source>Sampling frequency</source>
-            <translation>Частота дискретизації</translation>
+            <translation>Дискретизація</translation>
         </message>
         <message>
             <location filename="../../gui/live/settings_view.py" />
@@ -3654,7 +3679,7 @@
         <message>
             <location filename="../../gui/live/settings_view.py" />
             <source>Write CVGCom's text file too</source>
-            <translation>Писати також текстовий файл CVGCom</translation>
+            <translation>Писати й текст CVGCom</translation>
         </message>
         <message>
             <location filename="../../gui/live/settings_view.py" />
@@ -4178,6 +4203,11 @@
             <location filename="../../gui/advisor/words.py" />
             <source>{count} temperatures</source>
             <translation>температур: {count}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/allan/exporting.py" />
+            <source>Plot, {suffix}</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../gui/archive/actions.py" />
@@ -4915,6 +4945,11 @@ Every session and calibration of the folder of sessions comes here by itself. Im
         </message>
         <message>
             <location filename="../../gui/discrepancy/presenter.py" />
+            <source>No tab calibrates this run</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/presenter.py" />
             <source>A session holds another plan, or an accumulation is running.</source>
             <translation>Сеанс тримає інший план, або триває накопичення.</translation>
         </message>
@@ -5094,6 +5129,11 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
+            <source>Use in Calibration</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/scene.py" />
             <source>Load Data</source>
             <translation>Завантажити дані</translation>
         </message>
@@ -5151,6 +5191,11 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
             <location filename="../../gui/discrepancy/words.py" />
             <source>Fitting the model with the effect …</source>
             <translation>Оцінювання моделі з ефектом…</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/words.py" />
+            <source>Walking the rows on the simulated rig …</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../gui/discrepancy/words.py" />
@@ -6226,18 +6271,8 @@ State the noise of the gyro at the left, or take it from a record, to see how lo
         </message>
         <message>
             <location filename="../../gui/report_export.py" />
-            <source>Picture, SVG</source>
-            <translation>Рисунок, SVG</translation>
-        </message>
-        <message>
-            <location filename="../../gui/report_export.py" />
-            <source>Picture, PNG</source>
-            <translation>Рисунок, PNG</translation>
-        </message>
-        <message>
-            <location filename="../../gui/report_export.py" />
-            <source>Picture, PDF</source>
-            <translation>Рисунок, PDF</translation>
+            <source>Picture, {suffix}</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../gui/thermal/findings.py" />
@@ -6988,21 +7023,6 @@ Measure the plan fourier_400 (5° to 400° by 5°) or fourier_flip in the tab Di
         </message>
         <message>
             <location filename="../../gui/allan/exporting.py" />
-            <source>Plot, SVG</source>
-            <translation>Графік, SVG</translation>
-        </message>
-        <message>
-            <location filename="../../gui/allan/exporting.py" />
-            <source>Plot, PNG</source>
-            <translation>Графік, PNG</translation>
-        </message>
-        <message>
-            <location filename="../../gui/allan/exporting.py" />
-            <source>Plot, PDF</source>
-            <translation>Графік, PDF</translation>
-        </message>
-        <message>
-            <location filename="../../gui/allan/exporting.py" />
             <source>no analysed record is shown; analyse a record first</source>
             <translation>проаналізованого запису не показано; спершу проаналізуйте запис</translation>
         </message>
@@ -7391,6 +7411,25 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
             <translation>Файл пристрою відхилено</translation>
         </message>
         <message>
+            <location filename="../../gui/archive/demo.py" />
+            <source>[[limit]]
+parameter = "bias"
+unit = "code"
+low = -395
+high = -360</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/archive/demo.py" />
+            <source>the archive did not list all</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/archive/demo.py" />
+            <source>the archive did not answer</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <location filename="../../gui/archive/library.py" />
             <source>the window was closed; what was taken in stays</source>
             <translation>вікно закрито; те, що взято, лишається</translation>
@@ -7672,6 +7711,11 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         </message>
         <message>
             <location filename="../../gui/discrepancy/demo.py" />
+            <source>the session was not calibrated</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/demo.py" />
             <source>nothing was found</source>
             <translation>нічого не знайдено</translation>
         </message>
@@ -7679,6 +7723,21 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
             <location filename="../../gui/discrepancy/demo.py" />
             <source>the search did not end</source>
             <translation>пошук не завершився</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/demo.py" />
+            <source>the effect was not added</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/demo.py" />
+            <source>the rig did not walk the rows</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/demo.py" />
+            <source>the calibration did not take the effect</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../gui/discrepancy/demo.py" />
@@ -7897,18 +7956,23 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         </message>
         <message>
             <location filename="../../gui/drift/library.py" />
+            <source>drift table</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/drift/library.py" />
             <source>turn-ons in {join}; one unit is needed</source>
             <translation>увімкнення в {join}; потрібна одна одиниця</translation>
         </message>
         <message>
             <location filename="../../gui/drift/library.py" />
-            <source>{memory} bytes hold no table of {temperatures} temperatures; two knots need {temperatures2}</source>
-            <translation>{memory} [байт|байти|байтів] не вміщають таблиці для {temperatures} [температури|температур|температур]; два вузли потребують {temperatures2}</translation>
+            <source>cannot be read: {error}</source>
+            <translation>неможливо прочитати: {error}</translation>
         </message>
         <message>
             <location filename="../../gui/drift/library.py" />
-            <source>cannot be read: {error}</source>
-            <translation>неможливо прочитати: {error}</translation>
+            <source>{memory} bytes hold no table of {temperatures} temperatures; two knots need {temperatures2}</source>
+            <translation>{memory} [байт|байти|байтів] не вміщають таблиці для {temperatures} [температури|температур|температур]; два вузли потребують {temperatures2}</translation>
         </message>
         <message>
             <location filename="../../gui/drift/reading.py" />
@@ -7924,6 +7988,11 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
             <location filename="../../gui/drift/tab.py" />
             <source>Drift after switching on</source>
             <translation>Дрейф після увімкнення</translation>
+        </message>
+        <message>
+            <location filename="../../gui/exporting.py" />
+            <source>{parent}: cannot be made ({strerror})</source>
+            <translation>{parent}: неможливо створити ({strerror})</translation>
         </message>
         <message>
             <location filename="../../gui/frames/definition_view.py" />
@@ -8550,6 +8619,31 @@ Without a command the window opens.</translation>
             <translation>містить кілька пристроїв: {names}; виберіть один</translation>
         </message>
         <message>
+            <location filename="../../gui/measuring/added_table.py" />
+            <source>Effects that were added to the model</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/measuring/added_table.py" />
+            <source>Effect</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/measuring/added_table.py" />
+            <source>Where</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/measuring/added_table.py" />
+            <source>taken out in use</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/measuring/added_table.py" />
+            <source>this test alone</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <location filename="../../gui/measuring/bench.py" />
             <source>No device</source>
             <translation>Немає пристрою</translation>
@@ -8708,11 +8802,6 @@ Without a command the window opens.</translation>
             <location filename="../../gui/measuring/demonstrating.py" />
             <source>no accumulation began</source>
             <translation>накопичення не почалося</translation>
-        </message>
-        <message>
-            <location filename="../../gui/measuring/exporting.py" />
-            <source>{key} export</source>
-            <translation>{key} export</translation>
         </message>
         <message>
             <location filename="../../gui/measuring/head_words.py" />
@@ -8876,6 +8965,11 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../gui/measuring/tab.py" />
+            <source>{key} export</source>
+            <translation>{key} export</translation>
+        </message>
+        <message>
+            <location filename="../../gui/measuring/tab.py" />
             <source>An accumulation is running.</source>
             <translation>Триває накопичення.</translation>
         </message>
@@ -8995,6 +9089,21 @@ Without a command the window opens.</translation>
             <translation>Звільніть там місце або виберіть іншу теку; потім спробуйте знову.</translation>
         </message>
         <message>
+            <location filename="../../gui/methods/comparison_demo.py" />
+            <source>the files were not read</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/methods/comparison_demo.py" />
+            <source>there is no noise to compare</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/methods/comparison_demo.py" />
+            <source>play Allan first</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <location filename="../../gui/methods/demo.py" />
             <source>the tumble was not evaluated</source>
             <translation>оберт не оцінено</translation>
@@ -9058,6 +9167,11 @@ Without a command the window opens.</translation>
             <location filename="../../gui/rate_table/guide.py" />
             <source>{name} stood at {mean} throughout: the gyro or its converter is at the end of its range, or the channel is stuck; leave the rate out, or measure a smaller one</source>
             <translation>{name} весь час показував {mean}: гіроскоп або його перетворювач на межі діапазону, або канал завис; пропустіть цю швидкість або виміряйте меншу</translation>
+        </message>
+        <message>
+            <location filename="../../gui/rate_table/processing.py" />
+            <source>table and head run are not fitted together while effects are added: they were found in one of them alone</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../gui/rate_table/processing.py" />
@@ -9258,11 +9372,6 @@ Without a command the window opens.</translation>
             <location filename="../../gui/record_noise.py" />
             <source>{name}: the record is in {unit}, no unit of a {kind}; state the scale factor, or type N, B and K as the Allan tab tells them</source>
             <translation>{name}: запис у {unit}, що не є одиницею {kind}; вкажіть масштабний коефіцієнт або введіть N, B і K, як їх показує вкладка Аллана</translation>
-        </message>
-        <message>
-            <location filename="../../gui/report_export.py" />
-            <source>{parent}: cannot be made ({strerror})</source>
-            <translation>{parent}: неможливо створити ({strerror})</translation>
         </message>
         <message>
             <location filename="../../gui/rig/view.py" />
@@ -10356,6 +10465,11 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record.py" />
+            <source>No effect stands out, but the bias wanders far more than in sensors of this kind: it is {scatter}, or something that the catalogue does not know.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record.py" />
             <source>Missing in the model: {named}. {closing} The rest is {scatter}.</source>
             <translation>У моделі бракує: {named}. {closing} Решта — {scatter}.</translation>
         </message>
@@ -10396,6 +10510,11 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record.py" />
+            <source>the bias wanders several times as much as in sensors of this kind: noise of this unit, or a cause that is not in the catalogue; a second record tells, for noise goes another way then</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record.py" />
             <source>named, not yet confirmed: only another record, with temperature and time going otherwise, confirms it</source>
             <translation>названо, ще не підтверджено: підтвердить лише інший запис, у якому температура і час ідуть інакше</translation>
         </message>
@@ -10428,6 +10547,76 @@ Without a command the window opens.</translation>
             <location filename="../../core/discrepancy/record_facts.py" />
             <source>the temperature is {value} degC to the last bit in {int} samples in succession from {at} s on</source>
             <translation>температура дорівнює {value} °C до останнього біта в {int} відліках поспіль від {at} s</translation>
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>Restart from cold</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>what settles after switching on begins anew, what drifts goes on</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>Temperature held after a warm-up of an hour</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>nothing that goes with temperature or with switching on is left</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>Temperature up and down by {span_c} degC at {rate} degC/min</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>both directions and a rest between tell lag, hysteresis, slope and time apart</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>Drive amplitude {drive} % higher for a third of the record</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>what goes with the drive steps, what goes with temperature or time does not</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>on, temperature held</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>temperature held</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>up by {span_c} degC</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>down by {span_c} degC</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>{name}, {minutes} min</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>amplitude as it is</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../core/discrepancy/record_problem.py" />
@@ -10486,6 +10675,11 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/steps.py" />
+            <source>{text}: the output goes to and fro between two levels, {abs} {unit} apart, {changes} times</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/steps.py" />
             <source>look at the rig and the sensor where the curve is largest</source>
             <translation>огляньте стенд і датчик там, де крива найбільша</translation>
         </message>
@@ -10503,6 +10697,11 @@ Without a command the window opens.</translation>
             <location filename="../../core/discrepancy/steps.py" />
             <source>a smooth curve</source>
             <translation>гладка крива</translation>
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/steps.py" />
+            <source>two levels</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../core/discrepancy/verdict.py" />
@@ -12250,6 +12449,11 @@ Without a command the window opens.</translation>
             <translation>калібрування приймає {unit}, а коди в {unit2}</translation>
         </message>
         <message>
+            <location filename="../../core/procedures/added.py" />
+            <source>effects are added to plain models alone, not to {join}</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <location filename="../../core/procedures/calibration.py" />
             <source>Q needs three sensors with bias, scale factor and both cross axes each</source>
             <translation>Q потребує трьох датчиків, кожен зі зміщенням нуля, масштабним коефіцієнтом і обома перехресними</translation>
@@ -12283,6 +12487,16 @@ Without a command the window opens.</translation>
             <location filename="../../core/procedures/comparison.py" />
             <source>{unit} and {unit2} cannot be compared</source>
             <translation>{unit} і {unit2} неможливо порівняти</translation>
+        </message>
+        <message>
+            <location filename="../../core/procedures/compensation.py" />
+            <source>the effects of this calibration are as large as its scale factor at these outputs; they cannot be taken out</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/procedures/compensation.py" />
+            <source>this calibration has effects of temperature: state the temperature</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../core/procedures/conformity.py" />
@@ -13391,6 +13605,16 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../core/records/calibration_json.py" />
+            <source>U in {unit}, {symbol} in {unit2}</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/records/calibration_json.py" />
+            <source>+ e, the added effects</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/records/calibration_json.py" />
             <source>accelerometer or gyro</source>
             <translation>акселерометр або гіроскоп</translation>
         </message>
@@ -13403,6 +13627,16 @@ Without a command the window opens.</translation>
             <location filename="../../core/records/calibration_json.py" />
             <source>x, y, z or empty</source>
             <translation>x, y, z або порожньо</translation>
+        </message>
+        <message>
+            <location filename="../../core/records/calibration_json.py" />
+            <source>an identifier of the catalogue</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/records/calibration_json.py" />
+            <source>names of parameters of the fit</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../core/records/calibration_json.py" />
@@ -13488,6 +13722,11 @@ Without a command the window opens.</translation>
             <location filename="../../core/records/drift_exports.py" />
             <source>CSV of the table</source>
             <translation>CSV таблиці</translation>
+        </message>
+        <message>
+            <location filename="../../core/records/export_csv.py" />
+            <source>added to {name}: {name2}, {equation}; {in_use}</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../core/records/export_csv.py" />
@@ -15416,6 +15655,91 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../gui/languages/plain_texts.py" />
+            <source>session</source>
+            <translation>сеанс</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>calibration</source>
+            <translation>калібрування</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>legacy</source>
+            <translation>старий файл</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>record</source>
+            <translation>запис</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>means</source>
+            <translation>середні</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>noise</source>
+            <translation>шум</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>finished</source>
+            <translation>завершено</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>open</source>
+            <translation>не завершено</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>good</source>
+            <translation>добре</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>doubt</source>
+            <translation>сумнів</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>bad</source>
+            <translation>хибні</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>damaged</source>
+            <translation>пошкоджено</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>bias</source>
+            <translation>зміщення нуля</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>differs</source>
+            <translation>відрізняється</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>cross axis x</source>
+            <translation>поперечна вісь x</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>cross axis y</source>
+            <translation>поперечна вісь y</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>cross axis z</source>
+            <translation>поперечна вісь z</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
             <source>{n} files</source>
             <translation>файлів: {n}</translation>
         </message>
@@ -15769,7 +16093,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../gui/live/tools_view.py" />
             <source>Decimation (table)</source>
-            <translation>Проріджування (таблиця)</translation>
+            <translation>Проріджування (табл.)</translation>
         </message>
         <message>
             <location filename="../../gui/live/tools_view.py" />

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Callable, Iterator
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -10,14 +11,17 @@ from pytestqt.qtbot import QtBot
 
 from gui.app import Application, Options
 from gui.languages import update
+from gui.languages.choice import LANGUAGES
 from gui.languages.shown import SHOWN
 from gui.languages.ts_file import read_ts
 from tests.gui.languages.window_words import words_of
 
 CYRILLIC = re.compile("[А-Яа-яІіЇїЄєҐґ]")
 PHRASE = re.compile(r"\b[a-z]{3,} [a-z]{3,}\b")
+STRANGE = {"uk": re.compile("[ЫыЭэЪъЁё]"), "ru": re.compile("[ІіЇїЄєҐґ]")}
+"""Letters of the other language."""
 KEPT = re.compile(
-    r"English|Українська|ODH|\.txt|\.json|://"
+    r"English|Українська|Русский|ODH|\.txt|\.json|://"
     r"|Accumulate Data|Process Data|Load Data|sampling process"
 )
 """Names, labels of the old programs, and what the file dialog filters by."""
@@ -46,29 +50,43 @@ def start(qtbot: QtBot, tmp_path: Path) -> Iterator[Callable[[], Application]]:
         app.close()
 
 
-def english_left(app: Application) -> list[tuple[str, str]]:
+def english_left(app: Application, language: str) -> list[tuple[str, str]]:
     """Texts that have a translation and are on the screen in English, or look like English."""
-    messages = read_ts(update.FOLDER / "calrig_uk.ts")
+    messages = read_ts(update.FOLDER / f"calrig_{language}.ts")
     english = {m.source for m in messages if m.translation != m.source}
-    ukrainian = {m.translation for m in messages}
+    translated = {m.translation for m in messages}
     return [
         (kind, text)
         for kind, text in words_of(app.window)
         if not KEPT.search(text)
-        and text not in ukrainian
+        and text not in translated
         and (text in english or (PHRASE.search(text) and not CYRILLIC.search(text)))
     ]
 
 
-def ukrainian_left(app: Application) -> list[tuple[str, str]]:
-    """Texts with Cyrillic letters; the language's own name is one in every language."""
-    words = words_of(app.window)
-    return [(k, text) for k, text in words if CYRILLIC.search(text) and text != "Українська"]
+def cyrillic_left(app: Application) -> list[tuple[str, str]]:
+    """Texts with Cyrillic letters; a language's own name is one in every language."""
+    own = set(LANGUAGES.values())
+    return [
+        (k, text) for k, text in words_of(app.window) if CYRILLIC.search(text) and text not in own
+    ]
 
 
-def nothing_left(found: list[tuple[str, str]]) -> None:
+def others_left(app: Application, language: str) -> list[tuple[str, str]]:
+    """Texts with letters that the language does not have."""
+    strange, own = STRANGE[language], set(LANGUAGES.values())
+    return [
+        (k, text) for k, text in words_of(app.window) if strange.search(text) and text not in own
+    ]
+
+
+def nothing_left(app: Application, language: str) -> None:
     """Cards that are built anew go when Qt finds time for it: asked again until then."""
-    assert found == []
+    if language == "en":
+        assert cyrillic_left(app) == []
+    else:
+        assert english_left(app, language) == []
+        assert others_left(app, language) == []
 
 
 def switch(app: Application, language: str, qtbot: QtBot) -> None:
@@ -82,10 +100,11 @@ def test_nothing_of_the_other_language_is_left(start: Callable[[], Application],
         app.window.tabs.setCurrentWidget(tab.widget)
         qtbot.wait(30)
     before = set(words_of(app.window))
-    switch(app, "uk", qtbot)
-    qtbot.waitUntil(lambda: nothing_left(english_left(app)), timeout=10_000)
+    for language in ("uk", "ru"):
+        switch(app, language, qtbot)
+        qtbot.waitUntil(partial(nothing_left, app, language), timeout=10_000)
     switch(app, "en", qtbot)
-    qtbot.waitUntil(lambda: nothing_left(ukrainian_left(app)), timeout=10_000)
+    qtbot.waitUntil(partial(nothing_left, app, "en"), timeout=10_000)
     # Results that come meanwhile add words; none may stay away.
     assert before - set(words_of(app.window)) == set()
 
@@ -101,8 +120,9 @@ def test_the_language_is_remembered(start: Callable[[], Application], qtbot: QtB
     assert second.window.tabs.tabToolTip(0) == "Dividing head"
 
 
-def test_states_are_in_one_context():
-    messages = read_ts(update.FOLDER / "calrig_uk.ts")
+@pytest.mark.parametrize("path", update.ts_files(), ids=lambda path: path.name)
+def test_states_are_in_one_context(path: Path):
+    messages = read_ts(path)
     shown = [m for m in messages if m.context == SHOWN]
     assert len(shown) > 1000
     assert len({m.source for m in shown}) == len(shown)

@@ -83,3 +83,21 @@ def test_the_wheel_changes_only_what_is_in_use(page):
     turn(page.choice)
     assert page.seconds.value() == 9.0
     assert page.choice.currentIndex() == 1
+
+
+def test_a_choice_that_does_not_fit_ends_in_dots(qtbot):
+    choice, twin = ChoiceField(), ChoiceField()
+    choice.addItems(["short", "a choice of which the end would not be seen"])
+    twin.addItem("")
+    for field in (choice, twin):
+        qtbot.addWidget(field)
+        field.setFixedWidth(160)
+        field.show()
+    assert not choice.is_cut()
+    choice.setCurrentIndex(1)
+    assert choice.is_cut()
+    metrics, elide = choice.fontMetrics(), Qt.TextElideMode.ElideRight
+    twin.setItemText(0, metrics.elidedText(choice.currentText(), elide, choice.room()))
+    assert twin.currentText().endswith("…")
+    assert not twin.is_cut()
+    assert choice.grab().toImage() == twin.grab().toImage()
