@@ -21,7 +21,16 @@ from core.discrepancy.search import Scored
 from core.discrepancy.settings import Settings
 from core.discrepancy.slots import Slot, State
 from core.discrepancy.steps import candidates_of, fit_slots, steps_of, unknown_step
-from core.discrepancy.verdict import FEWEST, doubted, is_excess, notes_of, summary_of, verdict_of
+from core.discrepancy.verdict import (
+    FEWEST,
+    ROWS,
+    doubted,
+    is_excess,
+    notes_of,
+    summary_of,
+    verdict_of,
+)
+from core.discrepancy.weighed import weighed
 from core.errors import FitError, Note, RankDeficient, Severity
 from core.model.sensor_model import SensorModel
 from core.samples.run import Run
@@ -39,12 +48,14 @@ class Ladder:
     slots : what was added
     by_hand : how many of the first slots were added by hand
     unknown : structure that no effect explains, as the last step
+    imitated : one curve outside the catalogue does nearly what the found names do together
     """
 
     engine: Engine
     slots: tuple[Slot, ...] = ()
     by_hand: int = 0
     unknown: Scored | None = None
+    imitated: bool = False
 
     @classmethod
     def of(cls, run: Run, settings: Settings = NO_SETTINGS) -> "Ladder":
@@ -73,12 +84,22 @@ class Ladder:
 
     def found(self) -> "Ladder":
         """With all steps that the search finds on top of those that are there."""
-        state, unknown = self.engine.found(self.slots)
+        state, unknown, imitated = weighed(self.engine, self.slots)
         noise = self.engine.floor.result(self.engine.problem.run.unit)
-        if not state.slots and unknown is None and is_excess(gap_of(self.engine, state), noise):
+        if (
+            not state.slots
+            and unknown is None
+            and is_excess(gap_of(self.engine, state), noise, ROWS)
+        ):
             # That something is missing is certain; its likeliest name is a guess, and told as such.
             state = self.engine.search.guess(state)
-        return replace(self, slots=state.slots, by_hand=len(self.slots), unknown=unknown)
+        return replace(
+            self,
+            slots=state.slots,
+            by_hand=len(self.slots),
+            unknown=unknown,
+            imitated=imitated,
+        )
 
     def with_effect(self, identifier: str) -> "Ladder":
         """With the best instance of one more effect.
@@ -95,7 +116,7 @@ class Ladder:
         slot = scores[identifier].slot
         assert slot is not None  # noqa: S101
         slots = (*self.slots, search.polished(slot, self.state))
-        return replace(self, slots=slots, by_hand=len(slots), unknown=None)
+        return replace(self, slots=slots, by_hand=len(slots), unknown=None, imitated=False)
 
     def without_last(self) -> "Ladder":
         """With one step less; the plain model stays as it is."""
@@ -150,12 +171,12 @@ class Ladder:
             steps = (*steps, unknown_step(engine, self.state, self.unknown))
         noise = engine.floor.result(problem.run.unit)
         left = locate(engine, self.state) if self.slots else ()
-        steps = doubted(steps, noise, left, engine.settings.alpha)
+        steps = doubted(steps, noise, left, engine.settings.alpha, ROWS, imitated=self.imitated)
         after = steps[-1].after if steps else before
         nothing = frozen(np.zeros(len(problem.y)))
         faults = (fact_step(fact, before, nothing) for fact in row_facts(problem.run))
         steps = (*faults, *steps)
-        verdict = verdict_of(steps, noise, after)
+        verdict = verdict_of(steps, noise, after, ROWS)
         smallest = smallest_of(engine)
         curve = steps[-1].curve if self.unknown is not None else 0.0
         return Explanation(

@@ -34,12 +34,14 @@ class Scored:
     margin : the same without what an unlucky guess of the noise alone can give this name
     slot : its best instance; None for unknown structure
     regressor : place of the curve of unknown structure; -1 for others
+    path : (n,) two levels between which it goes to and fro; None where it is a smooth curve
     """
 
     evidence: float
     margin: float
     slot: Slot | None
     regressor: int = -1
+    path: FloatArray | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -159,6 +161,15 @@ class Search:
         best = self._refined(best, len(forced))
         score = self.unknown(best)
         return best, score if score.margin > self.threshold else None
+
+    def together(self, slots: tuple[Slot, ...], others: State) -> float:
+        """Evidence of several names, one after the other beside `others`."""
+        total, given = 0.0, others.slots
+        for slot in slots:
+            state = self.state(given)
+            total += self.own_evidence(slot, state, self.scores(state))
+            given = (*given, slot)
+        return total
 
     def guess(self, state: State) -> State:
         """A state with the likeliest name, however weak; unchanged where none has any evidence."""

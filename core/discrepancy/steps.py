@@ -134,7 +134,11 @@ def fit_slots(engine: Engine, state: State) -> list[FittedSlot]:
 
 
 def unknown_curve(engine: Engine, others: State, one: Scored) -> FloatArray:
-    """(n,) smooth curve of unknown structure, output units."""
+    """(n,) curve of unknown structure, output units."""
+    if one.path is not None:
+        rest = engine.search.bank.space.rest(one.path[:, None])[:, 0]
+        rest = rest - others.added @ (others.added.T @ rest)
+        return one.path * float(rest @ others.residual) / max(float(rest @ rest), 1e-300)
     curve = engine.search.curves[one.regressor]
     smooth = curve.shrunk(others.residual, curve.amplitude(others.residual))
     return engine.search.bank.space.chol @ smooth
@@ -168,7 +172,7 @@ def unknown_step(engine: Engine, state: State, one: Scored) -> Step:
         effect=UNKNOWN,
         name="Unexplained structure",
         plain=_in_words(engine, one, curve),
-        equation="a smooth curve",
+        equation="a smooth curve" if one.path is None else "two levels",
         seen_as=_in_words(engine, one, curve),
         remedy="look at the rig and the sensor where the curve is largest",
         parameters=(Fitted("rms", size, math.nan, engine.problem.run.unit),),
@@ -293,6 +297,12 @@ def _in_words(engine: Engine, one: Scored, curve: FloatArray | None = None) -> s
     worst = int(np.argmax(np.abs(curve)))
     unit = engine.problem.run.unit
     size = float(np.sqrt(np.mean(curve**2)))
+    if one.path is not None:
+        changes = int(np.sum(np.diff(curve[one.path != 0.0]) != 0.0))
+        return (
+            f"{text}: the output goes to and fro between two levels, {2.0 * abs(curve[worst]):.3g}"
+            f" {unit} apart, {changes} times"
+        )
     return (
         f"{text}: a smooth curve of {size:.3g} {unit} rms describes it, largest"
         f" ({curve[worst]:+.3g} {unit}) at {regressor.x[worst]:.6g} {regressor.unit}".rstrip()

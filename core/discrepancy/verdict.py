@@ -1,7 +1,7 @@
 """One verdict, said in words."""
 
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import cast
 
 from core.discrepancy.engine import Engine
@@ -20,14 +20,38 @@ _FAULTS = frozenset(
         "stale_temperature",
     )
 )
-_EXCESS_P = 1e-3
 _MANY, _LARGE_FOUND, _MUCH = 30, 1.35, 1e6
-_LEFT_OVER = 0.02
+_BEYOND = 1e-4
+_GROSS = 60.0
 FEWEST = 3
 """Degrees of freedom below which nothing is said."""
 
 
-def verdict_of(steps: tuple[Step, ...], noise: NoiseFloor, after: Gap) -> str:
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """From where on the noise is too large, and from where on names are in doubt.
+
+    Parameters
+    ----------
+    excess_p, excess_gap : a gap less likely and larger than this is no unlucky noise
+    left_over : names are in doubt if structure that is left has a smaller p value
+    every : which of several names is then wrong nobody can say, so that all are in doubt
+    """
+
+    excess_p: float = 1e-3
+    excess_gap: float = 2.0
+    left_over: float = 0.02
+    every: bool = False
+
+
+USUAL = Limits()
+ROWS = Limits(excess_p=0.015, excess_gap=1.25, left_over=0.12, every=True)
+"""Of accumulated rows, whose floor is stated by the certificates and seldom too small."""
+
+
+def verdict_of(
+    steps: tuple[Step, ...], noise: NoiseFloor, after: Gap, limits: Limits = USUAL
+) -> str:
     """The verdict of a set of steps."""
     if any(step.effect == UNKNOWN for step in steps):
         return "unexplained_structure"
@@ -35,7 +59,7 @@ def verdict_of(steps: tuple[Step, ...], noise: NoiseFloor, after: Gap) -> str:
         return "ambiguous"
     if steps:
         return "data_fault" if all(s.effect in _FAULTS for s in steps) else "explained"
-    return "excess_noise" if _excess(noise, after) else "adequate"
+    return "excess_noise" if _excess(noise, after, limits) else "adequate"
 
 
 def summary_of(verdict: str, steps: tuple[Step, ...], before: Gap, after: Gap) -> str:
@@ -112,31 +136,46 @@ def notes_of(
 
 
 def doubted(
-    steps: tuple[Step, ...], noise: NoiseFloor, left: tuple[Where, ...], alpha: float
+    steps: tuple[Step, ...],
+    noise: NoiseFloor,
+    left: tuple[Where, ...],
+    alpha: float,
+    limits: Limits = USUAL,
+    *,
+    imitated: bool = False,
 ) -> tuple[Step, ...]:
-    """The steps, the last in doubt if structure is left, noise too large, or it is but a guess.
+    """The steps, in doubt if structure is left, noise too large, or the last is but a guess.
 
     Two or three effects can imitate a curve that the catalogue does not know; what they leave is
-    the only trace of it.
+    the only trace of it, or that one curve does nearly as much as they do together (`imitated`).
+    Which of them is wrong then nobody can say; what stands out by far is not in doubt.
     """
     rest = min((where.p_value for where in left), default=1.0)
     if not steps:
         return steps
     last = steps[-1]
     guessed = not last.added_by_hand and last.p_value > 2.0 * alpha
-    if rest > _LEFT_OVER and not _excess(noise, last.after) and not guessed:
+    uncertain = rest <= limits.left_over or _excess(noise, last.after, limits)
+    if not (uncertain or guessed or imitated):
         return steps
-    if UNKNOWN in (last.effect, *last.indistinguishable_from):
-        return steps
-    names = (*last.indistinguishable_from, UNKNOWN)
-    return (*steps[:-1], replace(last, indistinguishable_from=names))
+
+    def doubtful(step: Step) -> bool:
+        return step is last or imitated or (uncertain and limits.every and step.evidence < _GROSS)
+
+    return tuple(_or_unknown(step) if doubtful(step) else step for step in steps)
 
 
-def _excess(noise: NoiseFloor, after: Gap) -> bool:
-    return bool(_large(noise.ratios)) or is_excess(after, noise)
+def _or_unknown(step: Step) -> Step:
+    if step.added_by_hand or UNKNOWN in (step.effect, *step.indistinguishable_from):
+        return step
+    return replace(step, indistinguishable_from=(*step.indistinguishable_from, UNKNOWN))
 
 
-def is_excess(gap: Gap, noise: NoiseFloor) -> bool:
+def _excess(noise: NoiseFloor, after: Gap, limits: Limits) -> bool:
+    return bool(_large(noise.ratios)) or is_excess(after, noise, limits)
+
+
+def is_excess(gap: Gap, noise: NoiseFloor, limits: Limits = USUAL) -> bool:
     """Whether so large a gap cannot be an unlucky statement of the noise.
 
     Where the sizes of the noise were found from many contrasts, they cannot be far off.
@@ -144,8 +183,8 @@ def is_excess(gap: Gap, noise: NoiseFloor) -> bool:
     if gap.dof < 1:
         return False
     found = noise.source != "residual" and noise.dof >= _MANY
-    beyond = f_sf(gap.chi2_red, gap.dof, _MUCH) < _EXCESS_P / 10.0
-    return (gap.p_value < _EXCESS_P and gap.gap > _LARGE) or (
+    beyond = f_sf(gap.chi2_red, gap.dof, _MUCH) < _BEYOND
+    return (gap.p_value < limits.excess_p and gap.gap > limits.excess_gap) or (
         found and beyond and gap.gap > _LARGE_FOUND
     )
 

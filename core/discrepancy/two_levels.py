@@ -1,0 +1,157 @@
+"""A bias that goes to and fro between two levels, beside the drift that it looks like.
+
+Restricted likelihood swallows such a bias as a larger drift. Here every size of the drift is
+weighed twice, with the likeliest path between two levels and without; each path pays for where it
+changes.
+"""
+
+from dataclasses import dataclass
+from math import lgamma
+
+import numpy as np
+
+from core.arrays import FloatArray
+from core.discrepancy.engine import Engine
+from core.discrepancy.slots import Slot, State
+
+SURE = 4.0
+"""Nats beyond which a path is no drift: more than any of 140 clean runs gave."""
+
+_DRIFTS = (0.4, 0.65, 1.0, 1.5, 2.2, 3.2)
+_SPREAD, _G = 0.5, 64.0
+_FEWEST_ROWS, _MOST_MOVES = 8, 60
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Levels:
+    """Two levels, or names, under all sizes of the drift.
+
+    Parameters
+    ----------
+    evidence : of the best path, nats over nothing but drift
+    path : (n,) plus or minus one in the rows of one channel, zero in others
+    named : evidence of the names that were added, under the same sizes of the drift
+    """
+
+    evidence: float
+    path: FloatArray
+    named: float
+
+
+def two_levels(engine: Engine, state: State, named: tuple[Slot, ...] = ()) -> Levels | None:
+    """Return the best path beside the slots of a state; None where there are too few rows.
+
+    Parameters
+    ----------
+    state : what the plain model has been given already
+    named : slots that are weighed against the path
+    """
+    problem, parts = engine.problem, engine.floor.parts
+    n = problem.rows
+    if n < _FEWEST_ROWS or engine.search.bank.space.dof < _FEWEST_ROWS:
+        return None
+    sized = [p.matrix * r**2 for p, r in zip(parts, engine.floor.sizes.ratio, strict=True)]
+    drifts = np.array(["drift" in part.name for part in parts])
+    other = np.sum([m for m, d in zip(sized, drifts, strict=True) if not d], axis=0)
+    drift = np.sum([p.matrix for p, d in zip(parts, drifts, strict=True) if d], axis=0)
+    design = np.hstack([problem.design(), *(slot.raw for slot in state.slots)])
+    y = problem.y + np.sum([slot.change for slot in state.slots], axis=0)
+    alone: list[float] = []
+    with_names: list[float] = []
+    with_path: list[float] = []
+    best, path = -np.inf, np.zeros(len(y))
+    for size in _DRIFTS:
+        precision, likelihood = _precision(other + size**2 * drift, design)
+        pull = precision @ y
+        likelihood -= 0.5 * float(y @ pull) + 0.5 * (np.log(size) / _SPREAD) ** 2
+        alone.append(likelihood)
+        with_names.append(likelihood + _gain(engine, precision, y, named))
+        wandered = drift @ pull
+        for channel in range(problem.channels):
+            own = slice(channel * n, (channel + 1) * n)
+            start = wandered[own] > 0.5 * np.sum(np.quantile(wandered[own], [0.1, 0.9]))
+            inner = precision[own, own]
+            levels, worth = _climbed(inner, pull[own], np.where(start, 1.0, -1.0))
+            with_path.append(likelihood + worth - 0.5 * np.log1p(_G) - np.log(problem.channels))
+            if with_path[-1] > best:
+                best, path = with_path[-1], np.zeros(len(y))
+                path[own] = levels
+    nothing = _log_sum(alone)
+    return Levels(_log_sum(with_path) - nothing, path, _log_sum(with_names) - nothing)
+
+
+def _precision(covariance: FloatArray, design: FloatArray) -> tuple[FloatArray, float]:
+    """What is left of the inverse of a covariance beside a design, and its log-likelihood."""
+    jitter = 1e-12 * float(np.mean(np.diag(covariance)))
+    root = np.linalg.cholesky(covariance + jitter * np.eye(len(covariance)))
+    white = np.asarray(np.linalg.inv(root), dtype=np.float64)
+    size = np.linalg.norm(design, axis=0)
+    left, singular, _ = np.linalg.svd(white @ (design / np.where(size > 0.0, size, 1.0)), False)
+    free = singular > 1e-10 * singular[0]
+    left = left[:, free]
+    rest = white - left @ (left.T @ white)
+    likelihood = -float(np.sum(np.log(np.diag(root)))) - float(np.sum(np.log(singular[free])))
+    return rest.T @ rest, likelihood
+
+
+def _gain(engine: Engine, precision: FloatArray, y: FloatArray, named: tuple[Slot, ...]) -> float:
+    """Evidence of names, their places and shapes paid for."""
+    if not named:
+        return 0.0
+    moved = y + np.sum([slot.change for slot in named], axis=0)
+    raw = np.hstack([slot.raw for slot in named])
+    inner, along = raw.T @ precision @ raw, raw.T @ (precision @ moved)
+    taken = float(along @ np.linalg.pinv(inner, rcond=1e-10) @ along) if raw.shape[1] else 0.0
+    after = float(moved @ precision @ moved) - taken
+    bank = engine.bank
+    places = sum(
+        np.log(max(int(np.sum(bank.name == bank.names.index(slot.name))), 1))
+        for slot in named
+        if slot.name in bank.names
+    )
+    gain = 0.5 * (float(y @ precision @ y) - after)
+    return gain - 0.5 * raw.shape[1] * float(np.log1p(_G)) - float(places)
+
+
+def _climbed(inner: FloatArray, pull: FloatArray, path: FloatArray) -> tuple[FloatArray, float]:
+    """The best path (n,) that turning over one stretch after another leads to, and its worth.
+
+    Of all stretches [i, j) the best is turned; sums over them are differences of running sums.
+    """
+    n = len(pull)
+    price = np.array([_choices(n - 1, count) + np.log(n) for count in range(n)])
+    first, last = np.triu_indices(n)
+    end = last + 1
+    worth = -np.inf
+    for _ in range(_MOST_MOVES):
+        turned = np.outer(path, path) * inner
+        along, across = path @ pull, float(turned.sum())
+        one = np.concatenate([[0.0], np.cumsum(path * pull)])
+        row = np.concatenate([[0.0], np.cumsum(turned.sum(axis=1))])
+        both = np.zeros((n + 1, n + 1))
+        both[1:, 1:] = np.cumsum(np.cumsum(turned, axis=0), axis=1)
+        within = both[end, end] - 2.0 * both[first, end] + both[first, first]
+        new_along = along - 2.0 * (one[end] - one[first])
+        new_across = across - 4.0 * (row[end] - row[first]) + 4.0 * within
+        step = np.concatenate([[0], (path[1:] != path[:-1]).astype(np.int64), [0]])
+        edges = np.where(first > 0, 1 - 2 * step[first], 0)
+        edges = edges + np.where(end < n, 1 - 2 * step[end], 0)
+        count = int(step.sum()) + edges
+        new = 0.5 * new_along**2 / np.maximum(new_across, 1e-9) - price[count.clip(0, n - 1)]
+        new = np.where(count < 2, -np.inf, new)
+        best = int(np.argmax(new))
+        if new[best] <= worth + 1e-9:
+            break
+        worth = float(new[best])
+        path = path.copy()
+        path[first[best] : end[best]] *= -1.0
+    return path, worth
+
+
+def _choices(n: int, k: int) -> float:
+    """Logarithm of the number of ways to choose k of n."""
+    return lgamma(n + 1) - lgamma(k + 1) - lgamma(n - k + 1)
+
+
+def _log_sum(values: list[float]) -> float:
+    return float(np.logaddexp.reduce(np.array(values)))
