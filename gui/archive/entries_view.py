@@ -9,10 +9,11 @@ from PySide6.QtCore import (
     Signal,
 )
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QWidget
 
 from gui.archive.state import ListRow
 from gui.languages.shown import shown
+from gui.widgets.kept_columns import WideTable
 from gui.widgets.states import Tone
 from gui.widgets.table_model import Index, TableModel
 from gui.widgets.theme import current_theme
@@ -21,7 +22,7 @@ _VERDICT = 3
 _SIGNS = {Tone.BAD: "✕ ", Tone.DOUBT: "△ "}
 
 
-class EntryTable(QTableView):
+class EntryTable(WideTable):
     """Rows are chosen; with Ctrl or Shift a second one for comparing."""
 
     chosen = Signal(object)
@@ -41,13 +42,13 @@ class EntryTable(QTableView):
         self.setAlternatingRowColors(True)
         self.setWordWrap(False)
         self.setTabKeyNavigation(False)
-        self.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
         self.verticalHeader().hide()
         self.verticalHeader().setDefaultSectionSize(round(1.7 * self.fontMetrics().height()))
         self.horizontalHeader().setHighlightSections(False)
         self.horizontalHeader().setStretchLastSection(True)
         self.selectionModel().selectionChanged.connect(self._on_selection)
         self.activated.connect(self._on_activated)
+        self.keep_columns(1)
 
     def render_rows(
         self, rows: tuple[ListRow, ...], header: tuple[str, ...], chosen: tuple[int, ...]

@@ -7,12 +7,12 @@ from PySide6.QtWidgets import (
     QHeaderView,
     QMenu,
     QSizePolicy,
-    QTableView,
     QVBoxLayout,
     QWidget,
 )
 
 from gui.languages.shown import shown
+from gui.widgets.kept_columns import WideTable
 from gui.widgets.number_text import MINUS, aligned
 from gui.widgets.states import TableState
 from gui.widgets.table_model import Index, TableModel
@@ -103,7 +103,7 @@ class _Model(TableModel):
         return None
 
 
-class _View(QTableView):
+class _View(WideTable):
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self._model = _Model(self)
@@ -122,7 +122,6 @@ class _View(QTableView):
         header.setStretchLastSection(True)
         header.setHighlightSections(False)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.customContextMenuRequested.connect(self._menu)
@@ -137,6 +136,7 @@ class _View(QTableView):
 
     def show_table(self, table: TableState) -> None:
         self._model.replace(table)
+        self.keep_columns(min(2, max(1, table.words)))
         self.updateGeometry()
 
     def sizeHint(self) -> QSize:
