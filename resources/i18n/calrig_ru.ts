@@ -344,12 +344,12 @@
         <message>
             <location filename="../../gui/archive/view.py" />
             <source>Temperature of what counts</source>
-            <translation type="unfinished" />
+            <translation>Температура того, что считается</translation>
         </message>
         <message>
             <location filename="../../gui/archive/view.py" />
             <source>Only calibrations at about this temperature count; the others are shown</source>
-            <translation type="unfinished" />
+            <translation>Считаются только калибровки примерно при этой температуре; остальные показаны</translation>
         </message>
         <message>
             <location filename="../../gui/archive/view.py" />
@@ -1816,6 +1816,11 @@
             <location filename="../../gui/discrepancy/findings_view.py" />
             <source>Nothing is undecided: no further measurement is proposed.</source>
             <translation>Ничего не осталось нерешённым: дальнейших измерений не предлагается.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/findings_view.py" />
+            <source>Keep this plan</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../gui/discrepancy/findings_view.py" />
@@ -4292,7 +4297,7 @@
         <message>
             <location filename="../../gui/archive/failures.py" />
             <source>The sessions are untouched. When the cause is gone press Refresh (Ctrl+R).</source>
-            <translation type="unfinished" />
+            <translation>Сеансы не затронуты. Когда причина устранена, нажмите «Обновить» (Ctrl+R).</translation>
         </message>
         <message>
             <location filename="../../gui/archive/failures.py" />
@@ -4312,7 +4317,7 @@
         <message>
             <location filename="../../gui/archive/failures.py" />
             <source>The sessions are untouched. When the cause is gone press Refresh (Ctrl+R): what is missing in the list comes back from the files.</source>
-            <translation type="unfinished" />
+            <translation>Сеансы не затронуты. Когда причина устранена, нажмите «Обновить» (Ctrl+R): чего недостаёт в списке, вернётся из файлов.</translation>
         </message>
         <message>
             <location filename="../../gui/archive/failures.py" />
@@ -4322,7 +4327,7 @@
         <message>
             <location filename="../../gui/archive/failures.py" />
             <source>The list is looked up again; choose the entry once more.</source>
-            <translation type="unfinished" />
+            <translation>Список составляется заново; выберите запись ещё раз.</translation>
         </message>
         <message>
             <location filename="../../gui/archive/failures.py" />
@@ -4337,7 +4342,7 @@
         <message>
             <location filename="../../gui/archive/failures.py" />
             <source>What was taken in stays. Put right what is named and import the folder again: it goes on where it was broken off.</source>
-            <translation type="unfinished" />
+            <translation>Что уже взято, остаётся. Исправьте названное и импортируйте папку снова: импорт продолжится с места, где был прерван.</translation>
         </message>
         <message>
             <location filename="../../gui/archive/failures.py" />
@@ -4347,27 +4352,27 @@
         <message>
             <location filename="../../gui/archive/failures.py" />
             <source>The stored means stay as they are. The raw bytes (.calrec) belong into the session's folder or into the folder raw.</source>
-            <translation type="unfinished" />
+            <translation>Сохранённые средние остаются как были. Сырые байты (.calrec) должны лежать в папке сеанса или в папке raw.</translation>
         </message>
         <message>
             <location filename="../../gui/archive/failures.py" />
             <source>Nothing has to be done. If it happens again, have the disk checked.</source>
-            <translation type="unfinished" />
+            <translation>Ничего делать не нужно. Если это повторится, проверьте диск.</translation>
         </message>
         <message>
             <location filename="../../gui/archive/failures.py" />
             <source>Searching works as always. To measure, choose a folder that can be written to.</source>
-            <translation type="unfinished" />
+            <translation>Поиск работает как всегда. Чтобы измерять, выберите папку, в которую можно писать.</translation>
         </message>
         <message>
             <location filename="../../gui/archive/failures.py" />
             <source>Update CalRig on this computer; until then measure as always, the newer program finds the sessions.</source>
-            <translation type="unfinished" />
+            <translation>Обновите CalRig на этом компьютере; до тех пор измеряйте как всегда: новая программа найдёт сеансы.</translation>
         </message>
         <message>
             <location filename="../../gui/archive/failures.py" />
             <source>Open it by Load Data of the tab in which it was measured.</source>
-            <translation type="unfinished" />
+            <translation>Откройте его кнопкой «Загрузить данные» той вкладки, где он был измерен.</translation>
         </message>
         <message>
             <location filename="../../gui/archive/findings.py" />
@@ -4567,7 +4572,7 @@
         <message>
             <location filename="../../gui/archive/presenter.py" />
             <source>all temperatures</source>
-            <translation type="unfinished" />
+            <translation>все температуры</translation>
         </message>
         <message>
             <location filename="../../gui/archive/presenter.py" />
@@ -4884,6 +4889,26 @@ Every session and calibration of the folder of sessions comes here by itself. Im
             <translation>Модель, JSON</translation>
         </message>
         <message>
+            <location filename="../../gui/discrepancy/follow_up.py" />
+            <source>A session holds another plan, or an accumulation is running.</source>
+            <translation>Сеанс держит другой план, или идёт накопление.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/follow_up.py" />
+            <source>The plan is not kept</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/follow_up.py" />
+            <source>The plan is kept</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/follow_up.py" />
+            <source>{path}: after the next start it stands among the plans of its tab.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <location filename="../../gui/discrepancy/ladder_rows.py" />
             <source>Plain model</source>
             <translation>Простая модель</translation>
@@ -4935,6 +4960,11 @@ Every session and calibration of the folder of sessions comes here by itself. Im
         </message>
         <message>
             <location filename="../../gui/discrepancy/picture.py" />
+            <source>What the effects so far leave against {name}: largest {place}</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/picture.py" />
             <source>There is structure against {name}: {p}, {place}</source>
             <translation>Есть структура по {name}: {p}, {place}</translation>
         </message>
@@ -4947,11 +4977,6 @@ Every session and calibration of the folder of sessions comes here by itself. Im
             <location filename="../../gui/discrepancy/presenter.py" />
             <source>No tab calibrates this run</source>
             <translation type="unfinished" />
-        </message>
-        <message>
-            <location filename="../../gui/discrepancy/presenter.py" />
-            <source>A session holds another plan, or an accumulation is running.</source>
-            <translation>Сеанс держит другой план, или идёт накопление.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/presenter.py" />
@@ -5988,6 +6013,11 @@ State the noise of the gyro at the left, or take it from a record, to see how lo
             <location filename="../../gui/keys/own_keys.py" />
             <source>Tour</source>
             <translation>Обзор</translation>
+        </message>
+        <message>
+            <location filename="../../gui/keys/own_keys.py" />
+            <source>Go on</source>
+            <translation>Дальше</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
@@ -7755,9 +7785,24 @@ high = -360</source>
             <translation>discrepancy export</translation>
         </message>
         <message>
+            <location filename="../../gui/discrepancy/follow_up.py" />
+            <source>discrepancy plan</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/follow_up.py" />
+            <source>{folder}: a thousand plans are named {stem}; take some away</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <location filename="../../gui/discrepancy/presenter.py" />
             <source>sensor {name}</source>
             <translation>датчик {name}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/record_steps.py" />
+            <source>a record is explained as a whole: {effect} was not found beside the other effects, and only what was found is added to it</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../gui/discrepancy/working.py" />
@@ -8677,11 +8722,6 @@ Without a command the window opens.</translation>
             <location filename="../../gui/measuring/cues.py" />
             <source>Take it anyway</source>
             <translation>Взять всё равно</translation>
-        </message>
-        <message>
-            <location filename="../../gui/measuring/cues.py" />
-            <source>Go on</source>
-            <translation>Дальше</translation>
         </message>
         <message>
             <location filename="../../gui/measuring/cues.py" />
@@ -10086,7 +10126,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/archive/store.py" />
             <source>{root}: another archive stands there now; nothing is changed: open the archive anew</source>
-            <translation type="unfinished" />
+            <translation>{root}: теперь там другой архив; ничего не изменено: откройте архив заново</translation>
         </message>
         <message>
             <location filename="../../core/archive/store.py" />
@@ -10550,6 +10590,16 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
+            <source>Another record right behind this one</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>what settles has settled then, what drifts goes on, what jumped stays</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
             <source>Restart from cold</source>
             <translation type="unfinished" />
         </message>
@@ -10586,6 +10636,11 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>what goes with the drive steps, what goes with temperature or time does not</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>as before</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -15656,22 +15711,22 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../gui/languages/plain_texts.py" />
             <source>session</source>
-            <translation type="unfinished" />
+            <translation>сеанс</translation>
         </message>
         <message>
             <location filename="../../gui/languages/plain_texts.py" />
             <source>calibration</source>
-            <translation type="unfinished" />
+            <translation>калибровка</translation>
         </message>
         <message>
             <location filename="../../gui/languages/plain_texts.py" />
             <source>legacy</source>
-            <translation type="unfinished" />
+            <translation>старый файл</translation>
         </message>
         <message>
             <location filename="../../gui/languages/plain_texts.py" />
             <source>record</source>
-            <translation type="unfinished" />
+            <translation>запись</translation>
         </message>
         <message>
             <location filename="../../gui/languages/plain_texts.py" />
@@ -15686,22 +15741,22 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../gui/languages/plain_texts.py" />
             <source>finished</source>
-            <translation type="unfinished" />
+            <translation>завершено</translation>
         </message>
         <message>
             <location filename="../../gui/languages/plain_texts.py" />
             <source>open</source>
-            <translation type="unfinished" />
+            <translation>не завершено</translation>
         </message>
         <message>
             <location filename="../../gui/languages/plain_texts.py" />
             <source>good</source>
-            <translation type="unfinished" />
+            <translation>хорошо</translation>
         </message>
         <message>
             <location filename="../../gui/languages/plain_texts.py" />
             <source>doubt</source>
-            <translation type="unfinished" />
+            <translation>сомнение</translation>
         </message>
         <message>
             <location filename="../../gui/languages/plain_texts.py" />
@@ -15716,27 +15771,27 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../gui/languages/plain_texts.py" />
             <source>bias</source>
-            <translation type="unfinished" />
+            <translation>смещение нуля</translation>
         </message>
         <message>
             <location filename="../../gui/languages/plain_texts.py" />
             <source>differs</source>
-            <translation type="unfinished" />
+            <translation>отличается</translation>
         </message>
         <message>
             <location filename="../../gui/languages/plain_texts.py" />
             <source>cross axis x</source>
-            <translation type="unfinished" />
+            <translation>поперечная ось x</translation>
         </message>
         <message>
             <location filename="../../gui/languages/plain_texts.py" />
             <source>cross axis y</source>
-            <translation type="unfinished" />
+            <translation>поперечная ось y</translation>
         </message>
         <message>
             <location filename="../../gui/languages/plain_texts.py" />
             <source>cross axis z</source>
-            <translation type="unfinished" />
+            <translation>поперечная ось z</translation>
         </message>
         <message>
             <location filename="../../gui/languages/plain_texts.py" />

@@ -1819,6 +1819,11 @@
         </message>
         <message>
             <location filename="../../gui/discrepancy/findings_view.py" />
+            <source>Keep this plan</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/findings_view.py" />
             <source>Open this plan</source>
             <translation>Відкрити цей план</translation>
         </message>
@@ -4884,6 +4889,26 @@ Every session and calibration of the folder of sessions comes here by itself. Im
             <translation>Модель, JSON</translation>
         </message>
         <message>
+            <location filename="../../gui/discrepancy/follow_up.py" />
+            <source>A session holds another plan, or an accumulation is running.</source>
+            <translation>Сеанс тримає інший план, або триває накопичення.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/follow_up.py" />
+            <source>The plan is not kept</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/follow_up.py" />
+            <source>The plan is kept</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/follow_up.py" />
+            <source>{path}: after the next start it stands among the plans of its tab.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <location filename="../../gui/discrepancy/ladder_rows.py" />
             <source>Plain model</source>
             <translation>Проста модель</translation>
@@ -4935,6 +4960,11 @@ Every session and calibration of the folder of sessions comes here by itself. Im
         </message>
         <message>
             <location filename="../../gui/discrepancy/picture.py" />
+            <source>What the effects so far leave against {name}: largest {place}</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/picture.py" />
             <source>There is structure against {name}: {p}, {place}</source>
             <translation>Є структура за {name}: {p}, {place}</translation>
         </message>
@@ -4947,11 +4977,6 @@ Every session and calibration of the folder of sessions comes here by itself. Im
             <location filename="../../gui/discrepancy/presenter.py" />
             <source>No tab calibrates this run</source>
             <translation type="unfinished" />
-        </message>
-        <message>
-            <location filename="../../gui/discrepancy/presenter.py" />
-            <source>A session holds another plan, or an accumulation is running.</source>
-            <translation>Сеанс тримає інший план, або триває накопичення.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/presenter.py" />
@@ -5988,6 +6013,11 @@ State the noise of the gyro at the left, or take it from a record, to see how lo
             <location filename="../../gui/keys/own_keys.py" />
             <source>Tour</source>
             <translation>Огляд</translation>
+        </message>
+        <message>
+            <location filename="../../gui/keys/own_keys.py" />
+            <source>Go on</source>
+            <translation>Далі</translation>
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
@@ -7755,9 +7785,24 @@ high = -360</source>
             <translation>discrepancy export</translation>
         </message>
         <message>
+            <location filename="../../gui/discrepancy/follow_up.py" />
+            <source>discrepancy plan</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/follow_up.py" />
+            <source>{folder}: a thousand plans are named {stem}; take some away</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <location filename="../../gui/discrepancy/presenter.py" />
             <source>sensor {name}</source>
             <translation>датчик {name}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/record_steps.py" />
+            <source>a record is explained as a whole: {effect} was not found beside the other effects, and only what was found is added to it</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../gui/discrepancy/working.py" />
@@ -8677,11 +8722,6 @@ Without a command the window opens.</translation>
             <location filename="../../gui/measuring/cues.py" />
             <source>Take it anyway</source>
             <translation>Узяти попри це</translation>
-        </message>
-        <message>
-            <location filename="../../gui/measuring/cues.py" />
-            <source>Go on</source>
-            <translation>Далі</translation>
         </message>
         <message>
             <location filename="../../gui/measuring/cues.py" />
@@ -10550,6 +10590,16 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
+            <source>Another record right behind this one</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>what settles has settled then, what drifts goes on, what jumped stays</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
             <source>Restart from cold</source>
             <translation type="unfinished" />
         </message>
@@ -10586,6 +10636,11 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>what goes with the drive steps, what goes with temperature or time does not</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>as before</source>
             <translation type="unfinished" />
         </message>
         <message>
