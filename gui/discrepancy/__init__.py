@@ -5,6 +5,8 @@ tab               the tab put together
 presenter         clicks in, `StoryState` out
 state             everything that the tab shows
 working           the work of a job: reading, finding, adding; needs no Qt
+record_steps      the steps of a record, added one after another
+follow_up         plans of what to measure next: opened, or kept
 handed            a story -> effects for the tabs that calibrate
 ladder_rows       a story -> rungs of the ladder, regressors
 cards             a story -> proposals, next measurements, what the plan can show

@@ -6,6 +6,7 @@ from PySide6.QtCore import QCoreApplication
 
 from core.discrepancy.result import Candidate, Explanation, NextMeasurement, Step
 from core.model.catalogue.listing import CATALOGUE
+from core.plans.plan import Plan
 from gui.discrepancy.state import CandidateRow, DetailState, NextCard, ProposalCard
 from gui.discrepancy.words import effect_words, numbers_words, unit_words
 from gui.discrepancy.working import Story, rivals_of
@@ -157,13 +158,17 @@ def _row(candidate: Candidate, best: float) -> CandidateRow:
 
 
 def _next(each: NextMeasurement) -> NextCard:
-    facts = QCoreApplication.translate("Discrepancy", "{count} positions, {minutes} min").format(
-        count=len(each.plan.steps), minutes=fixed(each.minutes, 0)
-    )
+    minutes = fixed(each.minutes, 0)
+    plan: object = each.plan
+    if isinstance(plan, Plan):
+        facts = QCoreApplication.translate("Discrepancy", "{count} positions, {minutes} min")
+        facts = facts.format(count=len(plan.steps), minutes=minutes)
+    else:
+        facts = QCoreApplication.translate("Discrepancy", "{minutes} min").format(minutes=minutes)
     head, _, tail = each.why.partition("; tells apart ")
     why = head[:1].upper() + head[1:]
     if tail:
         names = ", ".join(effect_words(name) for name in tail.split(", "))
         template = QCoreApplication.translate("Discrepancy", "{why}. Tells apart: {names}.")
         why = template.format(why=why, names=names)
-    return NextCard(each.title, why, facts, each.probability)
+    return NextCard(each.title, why, facts, each.probability, isinstance(plan, Plan))

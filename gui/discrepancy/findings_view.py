@@ -30,6 +30,7 @@ class FindingsView(QWidget):
 
     chosen = Signal(str)
     plan_opened = Signal(int)
+    plan_kept = Signal(int)
     export_requested = Signal(str, str)
     format_chosen = Signal(str)
 
@@ -176,11 +177,20 @@ class FindingsView(QWidget):
         rows.addWidget(ChanceBar(card))
         foot = QHBoxLayout()
         foot.addWidget(_text(card.facts, muted=True), 1)
-        button = QPushButton(self.tr("Open this plan"))
-        button.setProperty("place", place)
-        button.clicked.connect(self._on_plan)
-        foot.addWidget(button)
         rows.addLayout(foot)
+        if not card.opens:
+            return frame
+        hands = QHBoxLayout()
+        hands.addStretch(1)
+        for words, told in (
+            (self.tr("Keep this plan"), self._on_keep),
+            (self.tr("Open this plan"), self._on_plan),
+        ):
+            button = QPushButton(words)
+            button.setProperty("place", place)
+            button.clicked.connect(told)
+            hands.addWidget(button)
+        rows.addLayout(hands)
         return frame
 
     def _render_grade(self, state: StoryState) -> None:
@@ -193,6 +203,9 @@ class FindingsView(QWidget):
 
     def _on_plan(self) -> None:
         self.plan_opened.emit(self.sender().property("place"))
+
+    def _on_keep(self) -> None:
+        self.plan_kept.emit(self.sender().property("place"))
 
     def _on_format(self, index: int) -> None:
         self.format_chosen.emit(self._formats.itemData(index))

@@ -7,7 +7,7 @@ from PySide6.QtCore import QCoreApplication
 from core.discrepancy.result import Explanation, Gap, Step, Where
 from gui.discrepancy.state import RegressorRow, RungState
 from gui.discrepancy.words import effect_words, fitted_words, p_words, regressor_words, unit_words
-from gui.discrepancy.working import Story
+from gui.discrepancy.working import Story, is_fact
 from gui.widgets.number_text import MINUS, fixed, significant
 from gui.widgets.states import Tone
 
@@ -67,6 +67,7 @@ def _rung(number: int, step: Step, proposed: bool) -> RungState:
         parameters=tuple(fitted_words(each) for each in step.parameters),
         doubt=doubt,
         proposed=proposed,
+        kept=not proposed and is_fact(step),
     )
 
 
@@ -108,5 +109,6 @@ def _row(one: Where) -> RegressorRow:
         tone = Tone.BAD
     elif one.p_value < _DOUBTFUL:
         tone = Tone.DOUBT
-    detail = f"{p_words(one.p_value)} · {place_words(one)}"
+    known = () if math.isnan(one.p_value) else (p_words(one.p_value),)
+    detail = " · ".join((*known, place_words(one)))
     return RegressorRow(one.regressor, regressor_words(one.regressor), detail, tone)

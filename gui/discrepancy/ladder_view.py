@@ -109,7 +109,7 @@ class RungView(QWidget):
         head.addWidget(title, 1)
         if rung.proposed:
             head.addWidget(_words(self.tr("proposed"), muted=True), 0, Qt.AlignmentFlag.AlignTop)
-        elif rung.number:
+        elif rung.number and not rung.kept:
             back = QToolButton()
             back.setText("✕")
             back.setAutoRaise(True)

@@ -1,5 +1,7 @@
 """A story -> both plots: measured and simulated, and the residual against one regressor."""
 
+import math
+
 import numpy as np
 from PySide6.QtCore import QCoreApplication
 
@@ -111,6 +113,12 @@ def _spectrum(where: Where, unit: str) -> PictureState:
 
 
 def _title(where: Where, name: str) -> str:
+    if math.isnan(where.p_value):
+        template = QCoreApplication.translate(
+            "Discrepancy", "What the effects so far leave against {name}: largest {place}"
+        )
+        name = name[:1].lower() + name[1:]
+        return template.format(name=name, place=place_words(where))
     if where.p_value < SIGNIFICANT:
         template = QCoreApplication.translate(
             "Discrepancy", "There is structure against {name}: {p}, {place}"

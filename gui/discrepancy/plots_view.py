@@ -57,9 +57,9 @@ class RowsPlot(Plot):
 
         self._add(item, wear)
 
-    def add_words(self, x: float, y: float, text: str, above: bool) -> None:
-        """Write what is worst beside its place."""
-        item = pg.TextItem(text, anchor=(0.5, 1.2 if above else -0.2))
+    def add_words(self, x: float, y: float, text: str, above: bool, across: float) -> None:
+        """Write what is worst beside its place, which lies so far across the plot, 0 to 1."""
+        item = pg.TextItem(text, anchor=(min(max(across, 0.0), 1.0), 1.2 if above else -0.2))
         item.setPos(x, y)
         item.setZValue(20)
         self._add(item, lambda theme: item.setColor(theme.tones[Tone.BAD]))
@@ -84,7 +84,12 @@ class RowsPlot(Plot):
         self.add_alarm(picture.knots[there], picture.mean[there])
         if picture.worst >= 0:
             at = float(picture.mean[picture.worst])
-            self.add_words(float(picture.knots[picture.worst]), at, picture.worst_words, at > 0)
+            x = float(picture.knots[picture.worst])
+            span = float(np.ptp(picture.knots)) or 1.0
+            across = (x - float(picture.knots.min())) / span
+            # Within the plot: beyond its highest and lowest point there is no room.
+            above = at < float(np.mean(picture.mean[np.isfinite(picture.mean)]))
+            self.add_words(x, at, picture.worst_words, above, across)
 
 
 class PlotsView(QWidget):

@@ -10,13 +10,11 @@ from core.arrays import FloatArray
 from core.discrepancy.result import Candidate
 from core.discrepancy.settings import Settings
 from core.errors import LabError, Severity
-from core.plans.plan import Plan
 from gui.discrepancy.cards import (
     chosen_of,
     detail_of,
     following_of,
     grade_of,
-    measurements_of,
     proposals_of,
 )
 from gui.discrepancy.handed import addition_of
@@ -44,7 +42,6 @@ class DiscrepancyPresenter(QObject):
     ----------
     jobs : reads and computes
     messages : where refused files are told
-    open_plan : hands a plan to the tab that measures it; returns whether one took it
     calibrate_with : hands the run with its effects to the tab that calibrates it; see `Services`
     settings : of the search
     """
@@ -57,7 +54,6 @@ class DiscrepancyPresenter(QObject):
         self,
         jobs: Jobs,
         messages: Messages,
-        open_plan: Callable[[Plan], bool],
         calibrate_with: Callable[[Addition, bool], bool],
         settings: Settings | None = None,
         parent: QObject | None = None,
@@ -65,7 +61,6 @@ class DiscrepancyPresenter(QObject):
         super().__init__(parent)
         self._jobs = jobs
         self._messages = messages
-        self._open_plan = open_plan
         self._calibrate_with = calibrate_with
         self._settings = Settings() if settings is None else settings
         self._story: Story | None = None
@@ -117,7 +112,7 @@ class DiscrepancyPresenter(QObject):
             channel=self._channel,
             picture=self._picture(candidate),
             after=self._after,
-            can_after=bool(told.steps),
+            can_after=bool(told.where_after),
             again=self._again is not None,
             proposals=proposals_of(story),
             chosen="" if candidate is None else candidate.effect,
@@ -223,19 +218,6 @@ class DiscrepancyPresenter(QObject):
             self._after = after
             self._tell()
 
-    def open_plan(self, place: int) -> None:
-        """Hand one of the next measurements to the tab that measures it."""
-        if self._story is None:
-            return
-        plan = measurements_of(self._story)[place].plan
-        self._messages.clear(SOURCE)
-        if not self._open_plan(plan):
-            what = QCoreApplication.translate("Discrepancy", "No tab can take this plan now")
-            meaning = QCoreApplication.translate(
-                "Discrepancy", "A session holds another plan, or an accumulation is running."
-            )
-            self._messages.show(SOURCE, BannerState(Severity.WARNING, what, meaning))
-
     def act(self, key: str) -> None:
         """A button of the row of actions."""
         self._actions[key]()
@@ -316,7 +298,7 @@ class DiscrepancyPresenter(QObject):
 
     def _show(self, story: Story) -> None:
         self._story = story
-        self._after = bool(story.told.steps)
+        self._after = bool(story.told.where_after)
         self._again = None
         if story.proposals and self._chosen not in {c.effect for c in story.candidates}:
             self._chosen = story.proposals[0].effect

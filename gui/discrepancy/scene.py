@@ -25,6 +25,7 @@ def actions_of(
     """
     able = story is not None and story.able and not busy
     ladder = story is not None and story.ladder is not None
+    addable = ladder or (story is not None and story.known is not None)
     nothing = QCoreApplication.translate("Discrepancy", "There is nothing to compare yet.")
     none = QCoreApplication.translate("Discrepancy", "Find proposes effects first.")
     return ActionBarState(
@@ -41,7 +42,7 @@ def actions_of(
                 "add",
                 QCoreApplication.translate("Discrepancy", "Add to Model"),
                 "Ctrl+Return",
-                enabled=able and candidate and ladder,
+                enabled=able and candidate and addable,
                 why_not=none,
             ),
             ActionItem(

@@ -21,6 +21,7 @@ class RungState:
     parameters : estimates with their uncertainties, one line each
     doubt : what it cannot be told from; empty for nothing
     proposed : found, and not yet added
+    kept : it cannot be taken back: a fault of the data that stands whatever the model
     """
 
     number: int
@@ -31,6 +32,7 @@ class RungState:
     parameters: tuple[str, ...]
     doubt: str = ""
     proposed: bool = False
+    kept: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,12 +115,14 @@ class NextCard:
     title, why : in words
     facts : positions and time
     chance : that the answer is unique afterwards, 0 to 1
+    opens : there is a plan of steps, which a tab measures
     """
 
     title: str
     why: str
     facts: str
     chance: float
+    opens: bool = True
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -6,6 +6,7 @@ from PySide6.QtCore import QObject
 
 from core.plans.plan import Plan, Step
 from gui.discrepancy.exporting import Exporting
+from gui.discrepancy.follow_up import FollowUp
 from gui.discrepancy.presenter import DiscrepancyPresenter
 from gui.discrepancy.view import DiscrepancyView
 from gui.services import Services
@@ -21,7 +22,6 @@ class DiscrepancyTab(QObject):
         self.presenter = DiscrepancyPresenter(
             services.jobs,
             services.messages,
-            services.open_plan,
             services.calibrate_with,
             parent=self,
         )
@@ -29,7 +29,16 @@ class DiscrepancyTab(QObject):
         self.exporting = Exporting(
             lambda: self.presenter.story, services.root, services.messages, self
         )
+        self.follow_up = FollowUp(
+            lambda: self.presenter.story,
+            services.open_plan,
+            services.root,
+            services.messages,
+            self,
+        )
         findings = self.view.findings
+        findings.plan_opened.connect(self.follow_up.open)
+        findings.plan_kept.connect(self.follow_up.keep)
         findings.set_formats(self.exporting.formats)
         findings.format_chosen.connect(self._propose)
         findings.export_requested.connect(self.exporting.export)

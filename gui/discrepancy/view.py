@@ -119,7 +119,6 @@ class DiscrepancyView(QWidget):
         presenter = self._presenter
         self.ladder.undone.connect(presenter.undo_from)
         self.findings.chosen.connect(presenter.choose)
-        self.findings.plan_opened.connect(presenter.open_plan)
         self.regressors.currentRowChanged.connect(self._on_regressor)
         self.action_bar.triggered.connect(self._on_action)
         presenter.changed.connect(self.render)

@@ -29,7 +29,9 @@ def phase_words(key: str) -> str:
             "Discrepancy", "Fitting what was found, and what could decide …"
         ),
         "add": QCoreApplication.translate("Discrepancy", "Fitting the model with the effect …"),
-        "play": QCoreApplication.translate("Discrepancy", "Walking the rows on the simulated rig …"),
+        "play": QCoreApplication.translate(
+            "Discrepancy", "Walking the rows on the simulated rig …"
+        ),
     }
     return words[key]
 

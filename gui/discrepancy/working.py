@@ -11,10 +11,13 @@ from core.discrepancy.ladder import Ladder, explain
 from core.discrepancy.result import UNKNOWN, Candidate, Explanation, Step
 from core.discrepancy.settings import Settings
 from core.errors import FitError, FormatError, RankDeficient
+from core.model.catalogue.listing import CATALOGUE
+from core.model.effect import Kind
 from core.procedures.thermal.joined import joined
 from core.records.series_run import record_run
 from core.samples.run import Run
 from drivers.series import read_series
+from gui.discrepancy.record_steps import place_of, with_steps
 from gui.measuring.loading import Choice, load
 
 Tell = Callable[[str], None]
@@ -71,6 +74,11 @@ class Story:
         return tuple(named.values())
 
 
+def is_fact(step: Step) -> bool:
+    """Whether a step is a fault of the data that is counted, not fitted."""
+    return step.effect in CATALOGUE and CATALOGUE[step.effect].kind is Kind.FACT
+
+
 def rivals_of(step: Step) -> tuple[Candidate, ...]:
     """All names that compete for a step; the step itself where no other does."""
     if step.candidates:
@@ -120,9 +128,8 @@ def opened(
     whole = runs[0] if len(runs) == 1 else in_one(runs)
     tell("floor")
     if whole.test == RECORD:
-        # A record has no ladder to climb by hand: what was found is added at once, or not.
         known = explain(whole, settings)
-        return Story(whole, tuple(paths), None, _plain(known), known=known)
+        return Story(whole, tuple(paths), None, with_steps(known, 0), known=known)
     try:
         ladder = Ladder.of(whole, settings)
     except RankDeficient:
@@ -149,8 +156,11 @@ def added(story: Story, effect: str, tell: Tell) -> Story:
     Raises
     ------
     FitError
-        These rows cannot show this effect.
+        These rows cannot show this effect, or it was not found in this record.
     """
+    if story.known is not None:
+        count = place_of(story.known, len(story.told.steps), effect)
+        return replace(story, told=with_steps(story.known, count), proposed=story.known)
     if story.ladder is None:
         return story
     if effect == UNKNOWN:
@@ -180,13 +190,6 @@ def left_over(story: Story, y: FloatArray, *, after: bool) -> FloatArray:
         basis = story.ladder.state.added
         white = white - basis @ (basis.T @ white)
     return space.chol @ white
-
-
-def _plain(known: Explanation) -> Explanation:
-    """The explanation of a record before anything is added."""
-    return replace(
-        known, steps=(), after=known.before, where_after=(), predicted=known.predicted_before
-    )
 
 
 def _read(
