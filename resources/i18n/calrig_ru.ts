@@ -685,6 +685,11 @@
         </message>
         <message>
             <location filename="../../gui/certificate/html.py" />
+            <source>The stated intervals are two-sided, for a coverage probability of 95 %, from the profile of the likelihood; U is the larger of their two halves. Of what was not detected the one-sided limit is stated (&lt;), for the same probability.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/certificate/html.py" />
             <source>The stated uncertainty is the expanded uncertainty U: the standard uncertainty times the coverage factor {span}, for a normal distribution and a coverage probability of 95 %.</source>
             <translation>Указанная неопределённость является расширенной неопределённостью U: стандартная неопределённость, умноженная на коэффициент охвата {span}, для нормального распределения и вероятности охвата 95 %.</translation>
         </message>
@@ -1820,7 +1825,7 @@
         <message>
             <location filename="../../gui/discrepancy/findings_view.py" />
             <source>Keep this plan</source>
-            <translation type="unfinished" />
+            <translation>Сохранить этот план</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/findings_view.py" />
@@ -2743,7 +2748,7 @@
         <message>
             <location filename="../../gui/discrepancy/plots_view.py" />
             <source>simulated rig</source>
-            <translation type="unfinished" />
+            <translation>имитированный стенд</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/plots_view.py" />
@@ -2763,7 +2768,7 @@
         <message>
             <location filename="../../gui/discrepancy/plots_view.py" />
             <source>simulated rig less model</source>
-            <translation type="unfinished" />
+            <translation>имитированный стенд минус модель</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/plots_view.py" />
@@ -3151,7 +3156,7 @@
         <message>
             <location filename="../../gui/measuring/results_view.py" />
             <source>With: {effects}</source>
-            <translation type="unfinished" />
+            <translation>С эффектами: {effects}</translation>
         </message>
         <message>
             <location filename="../../gui/measuring/results_view.py" />
@@ -3181,12 +3186,12 @@
         <message>
             <location filename="../../gui/measuring/results_view.py" />
             <source>Take Out</source>
-            <translation type="unfinished" />
+            <translation>Убрать</translation>
         </message>
         <message>
             <location filename="../../gui/measuring/results_view.py" />
             <source>Calibrate by the plain model again</source>
-            <translation type="unfinished" />
+            <translation>Калибровать снова по простой модели</translation>
         </message>
         <message>
             <location filename="../../gui/measuring/results_view.py" />
@@ -4241,8 +4246,8 @@
         </message>
         <message>
             <location filename="../../gui/archive/actions.py" />
-            <source>Choose a session, a run, an old file or a calibration.</source>
-            <translation>Выберите сеанс, серию, старый файл или калибровку.</translation>
+            <source>Choose a session, a run, an old file, a record or a calibration.</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../gui/archive/actions.py" />
@@ -4896,17 +4901,17 @@ Every session and calibration of the folder of sessions comes here by itself. Im
         <message>
             <location filename="../../gui/discrepancy/follow_up.py" />
             <source>The plan is not kept</source>
-            <translation type="unfinished" />
+            <translation>План не сохранён</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/follow_up.py" />
             <source>The plan is kept</source>
-            <translation type="unfinished" />
+            <translation>План сохранён</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/follow_up.py" />
             <source>{path}: after the next start it stands among the plans of its tab.</source>
-            <translation type="unfinished" />
+            <translation>{path}: после следующего запуска он будет среди планов своей вкладки.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/ladder_rows.py" />
@@ -4961,7 +4966,7 @@ Every session and calibration of the folder of sessions comes here by itself. Im
         <message>
             <location filename="../../gui/discrepancy/picture.py" />
             <source>What the effects so far leave against {name}: largest {place}</source>
-            <translation type="unfinished" />
+            <translation>Что оставляют добавленные эффекты по {name}: наибольшее {place}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/picture.py" />
@@ -4976,7 +4981,7 @@ Every session and calibration of the folder of sessions comes here by itself. Im
         <message>
             <location filename="../../gui/discrepancy/presenter.py" />
             <source>No tab calibrates this run</source>
-            <translation type="unfinished" />
+            <translation>Ни одна вкладка не калибрует по этому измерению</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/presenter.py" />
@@ -5155,7 +5160,7 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
             <source>Use in Calibration</source>
-            <translation type="unfinished" />
+            <translation>В калибровку</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
@@ -5220,7 +5225,7 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         <message>
             <location filename="../../gui/discrepancy/words.py" />
             <source>Walking the rows on the simulated rig …</source>
-            <translation type="unfinished" />
+            <translation>Проход строк на имитированном стенде…</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/words.py" />
@@ -7022,6 +7027,126 @@ Measure the plan fourier_400 (5° to 400° by 5°) or fourier_flip in the tab Di
             <translation>шум с памятью</translation>
         </message>
         <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>noise of a record at rest: likelihood of its spectrum and Allan deviation, terms of IEEE Std 952 and IEEE Std 1431, practicum (6.3), (6.4)</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>angle random walk</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>bias instability</source>
+            <translation>нестабильность нуля</translation>
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>rate random walk</source>
+            <translation>случайное блуждание скорости</translation>
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>rate ramp</source>
+            <translation>линейный уход скорости</translation>
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>angle quantization</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>velocity random walk</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>acceleration random walk</source>
+            <translation>случайное блуждание ускорения</translation>
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>acceleration ramp</source>
+            <translation>линейный уход ускорения</translation>
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>velocity quantization</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>Noise coefficients, 95 %</source>
+            <translation>Коэффициенты шума, 95 %</translation>
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>Allan deviation with its 95 % limits</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>averaging time τ, s</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>no term was fitted</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>{name}: its noise cannot be certified: {why}</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>term (IEEE 952, IEEE 1431)</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>stated as</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>from … to</source>
+            <translation>от … до</translation>
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>fitted model</source>
+            <translation>оценённая модель</translation>
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>length of the record</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>sampling rate</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>highest frequency fitted</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>scale factor</source>
+            <translation>масштабный коэффициент</translation>
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>cannot be read: {strerror}</source>
+            <translation>невозможно прочитать: {strerror}</translation>
+        </message>
+        <message>
             <location filename="../../gui/allan/demo.py" />
             <source>Allan</source>
             <translation>Аллан</translation>
@@ -7108,11 +7233,6 @@ Measure the plan fourier_400 (5° to 400° by 5°) or fourier_flip in the tab Di
         </message>
         <message>
             <location filename="../../gui/allan/findings.py" />
-            <source>Noise coefficients, 95 %</source>
-            <translation>Коэффициенты шума, 95 %</translation>
-        </message>
-        <message>
-            <location filename="../../gui/allan/findings.py" />
             <source>By method</source>
             <translation>По методам</translation>
         </message>
@@ -7140,11 +7260,6 @@ Measure the plan fourier_400 (5° to 400° by 5°) or fourier_flip in the tab Di
             <location filename="../../gui/allan/findings.py" />
             <source>Relative standard uncertainties; the smallest B is found four times in five.</source>
             <translation>Относительные стандартные неопределённости; наименьшее B находят в четырёх случаях из пяти.</translation>
-        </message>
-        <message>
-            <location filename="../../gui/allan/findings.py" />
-            <source>from … to</source>
-            <translation>от … до</translation>
         </message>
         <message>
             <location filename="../../gui/allan/findings.py" />
@@ -7185,11 +7300,6 @@ Measure the plan fourier_400 (5° to 400° by 5°) or fourier_flip in the tab Di
             <location filename="../../gui/allan/plot_view.py" />
             <source>, slope {slopes}</source>
             <translation>, наклон {slopes}</translation>
-        </message>
-        <message>
-            <location filename="../../gui/allan/plot_view.py" />
-            <source>fitted model</source>
-            <translation>оценённая модель</translation>
         </message>
         <message>
             <location filename="../../gui/allan/presenter.py" />
@@ -7364,11 +7474,6 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
             <location filename="../../gui/allan/texts.py" />
             <source>0.664 B  floor</source>
             <translation>0,664 B  дно</translation>
-        </message>
-        <message>
-            <location filename="../../gui/allan/texts.py" />
-            <source>scale factor</source>
-            <translation>масштабный коэффициент</translation>
         </message>
         <message>
             <location filename="../../gui/app.py" />
@@ -7742,7 +7847,7 @@ high = -360</source>
         <message>
             <location filename="../../gui/discrepancy/demo.py" />
             <source>the session was not calibrated</source>
-            <translation type="unfinished" />
+            <translation>сеанс не откалиброван</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/demo.py" />
@@ -7757,17 +7862,17 @@ high = -360</source>
         <message>
             <location filename="../../gui/discrepancy/demo.py" />
             <source>the effect was not added</source>
-            <translation type="unfinished" />
+            <translation>эффект не добавлен</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/demo.py" />
             <source>the rig did not walk the rows</source>
-            <translation type="unfinished" />
+            <translation>стенд не прошёл строки</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/demo.py" />
             <source>the calibration did not take the effect</source>
-            <translation type="unfinished" />
+            <translation>калибровка не приняла эффект</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/demo.py" />
@@ -7787,12 +7892,12 @@ high = -360</source>
         <message>
             <location filename="../../gui/discrepancy/follow_up.py" />
             <source>discrepancy plan</source>
-            <translation type="unfinished" />
+            <translation>план по расхождению</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/follow_up.py" />
             <source>{folder}: a thousand plans are named {stem}; take some away</source>
-            <translation type="unfinished" />
+            <translation>{folder}: тысяча планов названа {stem}; уберите часть</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/presenter.py" />
@@ -7802,7 +7907,7 @@ high = -360</source>
         <message>
             <location filename="../../gui/discrepancy/record_steps.py" />
             <source>a record is explained as a whole: {effect} was not found beside the other effects, and only what was found is added to it</source>
-            <translation type="unfinished" />
+            <translation>запись объясняется целиком: {effect} рядом с другими эффектами не найден, а добавляется к ней только найденное</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/working.py" />
@@ -8078,11 +8183,6 @@ high = -360</source>
             <location filename="../../gui/frames/listening.py" />
             <source>holds no bytes of a device</source>
             <translation>не содержит байтов устройства</translation>
-        </message>
-        <message>
-            <location filename="../../gui/frames/listening.py" />
-            <source>cannot be read: {strerror}</source>
-            <translation>невозможно прочитать: {strerror}</translation>
         </message>
         <message>
             <location filename="../../gui/frames/presenter.py" />
@@ -8655,8 +8755,8 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../gui/measured_file.py" />
-            <source>holds the test {test}; certificates are made of {join}</source>
-            <translation>содержит испытание {test}; сертификаты составляют из {join}</translation>
+            <source>holds the test {test}; certificates are made of {join}, record</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../gui/measured_file.py" />
@@ -8666,27 +8766,27 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../gui/measuring/added_table.py" />
             <source>Effects that were added to the model</source>
-            <translation type="unfinished" />
+            <translation>Эффекты, добавленные в модель</translation>
         </message>
         <message>
             <location filename="../../gui/measuring/added_table.py" />
             <source>Effect</source>
-            <translation type="unfinished" />
+            <translation>Эффект</translation>
         </message>
         <message>
             <location filename="../../gui/measuring/added_table.py" />
             <source>Where</source>
-            <translation type="unfinished" />
+            <translation>Где</translation>
         </message>
         <message>
             <location filename="../../gui/measuring/added_table.py" />
             <source>taken out in use</source>
-            <translation type="unfinished" />
+            <translation>исключается при работе</translation>
         </message>
         <message>
             <location filename="../../gui/measuring/added_table.py" />
             <source>this test alone</source>
-            <translation type="unfinished" />
+            <translation>только это испытание</translation>
         </message>
         <message>
             <location filename="../../gui/measuring/bench.py" />
@@ -9211,7 +9311,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../gui/rate_table/processing.py" />
             <source>table and head run are not fitted together while effects are added: they were found in one of them alone</source>
-            <translation type="unfinished" />
+            <translation>измерения на столе и на головке не оцениваются вместе, пока добавлены эффекты: они найдены только в одном из них</translation>
         </message>
         <message>
             <location filename="../../gui/rate_table/processing.py" />
@@ -9580,28 +9680,8 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../core/allan/conventions.py" />
-            <source>rate random walk</source>
-            <translation>случайное блуждание скорости</translation>
-        </message>
-        <message>
-            <location filename="../../core/allan/conventions.py" />
-            <source>rate ramp</source>
-            <translation>линейный уход скорости</translation>
-        </message>
-        <message>
-            <location filename="../../core/allan/conventions.py" />
             <source>velocity quantisation</source>
             <translation>квантование скорости</translation>
-        </message>
-        <message>
-            <location filename="../../core/allan/conventions.py" />
-            <source>acceleration random walk</source>
-            <translation>случайное блуждание ускорения</translation>
-        </message>
-        <message>
-            <location filename="../../core/allan/conventions.py" />
-            <source>acceleration ramp</source>
-            <translation>линейный уход ускорения</translation>
         </message>
         <message>
             <location filename="../../core/allan/detrend.py" />
@@ -12506,7 +12586,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/procedures/added.py" />
             <source>effects are added to plain models alone, not to {join}</source>
-            <translation type="unfinished" />
+            <translation>эффекты добавляются только к простым моделям, а не к {join}</translation>
         </message>
         <message>
             <location filename="../../core/procedures/calibration.py" />
@@ -12546,12 +12626,12 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/procedures/compensation.py" />
             <source>the effects of this calibration are as large as its scale factor at these outputs; they cannot be taken out</source>
-            <translation type="unfinished" />
+            <translation>эффекты этой калибровки при таких выходах столь же велики, как её масштабный коэффициент; исключить их нельзя</translation>
         </message>
         <message>
             <location filename="../../core/procedures/compensation.py" />
             <source>this calibration has effects of temperature: state the temperature</source>
-            <translation type="unfinished" />
+            <translation>эта калибровка содержит температурные эффекты: укажите температуру</translation>
         </message>
         <message>
             <location filename="../../core/procedures/conformity.py" />
@@ -13661,12 +13741,12 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/records/calibration_json.py" />
             <source>U in {unit}, {symbol} in {unit2}</source>
-            <translation type="unfinished" />
+            <translation>U в {unit}, {symbol} в {unit2}</translation>
         </message>
         <message>
             <location filename="../../core/records/calibration_json.py" />
             <source>+ e, the added effects</source>
-            <translation type="unfinished" />
+            <translation>+ e, добавленные эффекты</translation>
         </message>
         <message>
             <location filename="../../core/records/calibration_json.py" />
@@ -13686,12 +13766,12 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/records/calibration_json.py" />
             <source>an identifier of the catalogue</source>
-            <translation type="unfinished" />
+            <translation>идентификатор каталога</translation>
         </message>
         <message>
             <location filename="../../core/records/calibration_json.py" />
             <source>names of parameters of the fit</source>
-            <translation type="unfinished" />
+            <translation>имена параметров оценки</translation>
         </message>
         <message>
             <location filename="../../core/records/calibration_json.py" />
@@ -13781,7 +13861,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/records/export_csv.py" />
             <source>added to {name}: {name2}, {equation}; {in_use}</source>
-            <translation type="unfinished" />
+            <translation>добавлено к {name}: {name2}, {equation}; {in_use}</translation>
         </message>
         <message>
             <location filename="../../core/records/export_csv.py" />
@@ -14412,11 +14492,6 @@ Without a command the window opens.</translation>
             <location filename="../../core/records/noise_tables.py" />
             <source>random walk</source>
             <translation>случайное блуждание</translation>
-        </message>
-        <message>
-            <location filename="../../core/records/noise_tables.py" />
-            <source>bias instability</source>
-            <translation>нестабильность нуля</translation>
         </message>
         <message>
             <location filename="../../core/records/open.py" />
