@@ -24,8 +24,10 @@ record
     `explain_record`: the same for a long record, one row a sample.
 record_problem, record_floor, record_engine, record_telegraph
     Means of blocks, their noise, the search on them, paths between two levels.
-record_facts, record_spectrum
-    Faults of the data; lines and noise terms at the full rate.
+record_facts, record_spectrum, record_doubts
+    Faults of the data; lines and noise terms at the full rate; lines and levels that are neither.
+record_followups, record_advise
+    What record to make next.
 followups, advise
     What to measure next.
 """

@@ -15,8 +15,11 @@ from core.arrays import FloatArray, frozen, frozen_int
 from core.discrepancy.gaps import gap_of, held_out_gap, predicted
 from core.discrepancy.locate import locate
 from core.discrepancy.power import invisible_of, smallest_of
+from core.discrepancy.record_advise import advise_record
+from core.discrepancy.record_doubts import has_harmonics, moves_between
 from core.discrepancy.record_engine import Found, search_record
 from core.discrepancy.record_facts import Fact, facts_of
+from core.discrepancy.record_floor import wanders
 from core.discrepancy.record_problem import Samples
 from core.discrepancy.record_spectrum import Line, NoiseTerm, Seen, lines_of, noise_terms
 from core.discrepancy.result import UNKNOWN, Explanation, Fitted, Gap, NoiseFloor, Step, Where
@@ -101,6 +104,11 @@ def _story(
         slow = (*slow, unknown_step(engine, state, found.unknown))
     noise = replace(floor, ratios={})
     slow = doubted(slow, noise, left, engine.settings.alpha)
+    doubtful = {
+        "pickup": has_harmonics(engine, state),
+        "telegraph": moves_between(engine, state),
+    }
+    slow = tuple(_in_doubt(step) if doubtful.get(step.effect) else step for step in slow)
     after = slow[-1].after if slow else before
     curve = slow[-1].curve if found.unknown is not None else np.zeros(len(problem.y))
     terms, white = noise_terms(
@@ -113,7 +121,8 @@ def _story(
         *slow,
         *(_noise_step(term, after, zero) for term in terms),
     )
-    verdict = _verdict(steps)
+    restless = wanders(engine.floor)
+    verdict = _verdict(steps, restless)
     spectrum = (_spectrum_where(seen, lines),) if seen is not None else ()
     noise = replace(noise, components={**noise.components, **white})
     return Explanation(
@@ -128,11 +137,11 @@ def _story(
         steps=steps,
         candidates=candidates_of(engine, state),
         threshold=engine.search.threshold,
-        next_measurements=(),
+        next_measurements=advise_record(engine, state) if engine.settings.advise else (),
         smallest=smallest_of(engine),
         invisible=invisible_of(engine),
         untested=problem.untested,
-        notes=(*run.notes, *_notes(facts, verdict, steps)),
+        notes=(*run.notes, *_notes(facts, verdict, steps, restless)),
         measured=frozen(problem.y),
         predicted_before=frozen(predicted(engine, plain)),
         predicted=frozen(predicted(engine, state) + curve),
@@ -141,6 +150,12 @@ def _story(
         channels=problem.run.channels,
         unit=run.unit,
     )
+
+
+def _in_doubt(step: Step) -> Step:
+    """A step that something unknown could be as well."""
+    names = dict.fromkeys((*step.indistinguishable_from, UNKNOWN))
+    return replace(step, indistinguishable_from=tuple(names))
 
 
 def _without_curves(samples: Samples, steps: Sequence[Step], t: FloatArray) -> Samples:
@@ -231,8 +246,8 @@ def _noise_step(term: NoiseTerm, gap: Gap, curve: FloatArray) -> Step:
     )
 
 
-def _verdict(steps: Sequence[Step]) -> str:
-    """The verdict; terms of the noise accuse nobody."""
+def _verdict(steps: Sequence[Step], restless: bool) -> str:
+    """The verdict; terms of the noise accuse nobody unless they are far larger than usual."""
     kinds = {UNKNOWN: None, **{name: effect.kind for name, effect in CATALOGUE.items()}}
     telling = [step for step in steps if kinds[step.effect] is not Kind.NOISE]
     if any(step.effect == UNKNOWN for step in telling):
@@ -240,7 +255,7 @@ def _verdict(steps: Sequence[Step]) -> str:
     if any(step.indistinguishable_from for step in telling):
         return "ambiguous"
     if not telling:
-        return "adequate"
+        return "excess_noise" if restless else "adequate"
     faults = all(kinds[step.effect] is Kind.FACT or step.effect in _FAULTS for step in telling)
     return "data_fault" if faults else "explained"
 
@@ -261,6 +276,8 @@ def _summary(verdict: str, steps: Sequence[Step], before: Gap, after: Gap) -> st
     scatter = "white noise" + (f" with {', '.join(noise).lower()}" if noise else " alone")
     texts = {
         "adequate": f"A constant explains the record; its scatter is {scatter}.",
+        "excess_noise": "No effect stands out, but the bias wanders far more than in sensors of"
+        f" this kind: it is {scatter}, or something that the catalogue does not know.",
         "explained": f"Missing in the model: {named}. {closing} The rest is {scatter}.",
         "data_fault": f"The data are at fault: {named}. The rest is {scatter}.",
         "ambiguous": "Something is missing, and this record cannot tell which of several effects: "
@@ -272,8 +289,20 @@ def _summary(verdict: str, steps: Sequence[Step], before: Gap, after: Gap) -> st
     return texts[verdict]
 
 
-def _notes(facts: Sequence[Fact], verdict: str, steps: Sequence[Step]) -> list[Note]:
+def _notes(
+    facts: Sequence[Fact], verdict: str, steps: Sequence[Step], restless: bool
+) -> list[Note]:
     found = [Note(Severity.WARNING, fact.effect, fact.text) for fact in facts]
+    if restless:
+        found.append(
+            Note(
+                Severity.WARNING,
+                "excess_noise",
+                "the bias wanders several times as much as in sensors of this kind: noise of this"
+                " unit, or a cause that is not in the catalogue; a second record tells, for noise"
+                " goes another way then",
+            )
+        )
     found.append(
         Note(
             Severity.INFO,

@@ -1,6 +1,6 @@
 """The search on the slow view of a long record."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -17,7 +17,8 @@ from core.discrepancy.record_telegraph import telegraph_of
 from core.discrepancy.reml import prior_of
 from core.discrepancy.search import Scored
 from core.discrepancy.settings import Settings
-from core.discrepancy.slots import State
+from core.discrepancy.slots import Slot, State
+from core.model.effect import Effect
 
 _UNITS = {
     "t_s": "s",
@@ -30,7 +31,11 @@ _UNITS = {
 }
 _HIGHEST = 5
 _LOUD = 10.0
+_RARE = 5.0
+"""What speaks against ten times the slow noise before anything is seen, natural logarithm."""
 _PART, _PLAIN = 0.5, 10.0
+_FINE = (24, 64)
+"""Half waves over a record of what changes faster than slow curves do, all alike."""
 
 
 def record_regressors(problem: Problem, sigma: FloatArray) -> tuple[Regressor, ...]:
@@ -44,7 +49,7 @@ def record_regressors(problem: Problem, sigma: FloatArray) -> tuple[Regressor, .
     t = times(problem)
     found += [
         Regressor("t_s", "s", t, basis * sigma[:, None], competes=True)
-        for basis in (waves(t), bumps(t))
+        for basis in (waves(t), bumps(t), *(_fine(t, count) for count in _FINE))
     ]
     for name, values in problem.stimulus.columns.items():
         if name in ("t_s", "mount", "run"):
@@ -57,6 +62,12 @@ def record_regressors(problem: Problem, sigma: FloatArray) -> tuple[Regressor, .
                 local = bumps(values) * sigma[:, None]
                 found.append(Regressor(name, unit, values, local, competes=True))
     return tuple(found)
+
+
+def _fine(t: FloatArray, count: int) -> FloatArray:
+    """Cosines (n, count) over time, the fast ones as large as the slow."""
+    x = (t - t[0]) / float(np.ptp(t))
+    return np.cos(np.pi * np.outer(x, np.arange(1, count + 1)))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -89,23 +100,21 @@ def search_record(samples: Samples, settings: Settings) -> Found:
         The record is too short.
     """
     problem = record_problem(samples)
+    first = _Readings(problem, settings)
     begun = [
-        _settled(problem, settings, usual_floor(problem)),
-        _settled(problem, settings, record_floor(problem)),
-        _settled(problem, settings, record_floor(problem, slow=_LOUD), slow=_LOUD),
+        first.settled(usual_floor(problem)),
+        first.settled(first.floor()),
+        first.settled(first.floor(slow=_LOUD), slow=_LOUD),
     ]
     paths = telegraph_of(
-        problem, [engine.search.bank.space.chol @ s.residual for engine, s in begun]
+        problem, [one.engine.search.bank.space.chol @ one.state.residual for one in begun]
     )
     if paths is not None:
-        problem = record_problem(samples, paths)
-        _, best = max(begun, key=lambda one: _worth(*one))
-        begun += [
-            _settled(problem, settings, floor)
-            for floor in (usual_floor(problem), record_floor(problem, best.slots))
-        ]
-    engine, _ = max(begun, key=lambda one: _worth(*one))
-    engine = calibrated(engine)
+        again = first.beside(paths)
+        best = max(begun, key=lambda one: one.worth)
+        floors = (usual_floor(problem), again.floor(best.state.slots))
+        begun += [again.settled(floor) for floor in floors]
+    engine = calibrated(max(begun, key=lambda one: one.worth).engine)
     return _with_partial_names(engine, *engine.found())
 
 
@@ -127,24 +136,55 @@ def _with_partial_names(engine: Engine, state: State, unknown: Scored | None) ->
     return Found(engine, state, unknown)
 
 
-def _settled(
-    problem: Problem, settings: Settings, floor: Floor, slow: float = 1.0
-) -> tuple[Engine, State]:
-    """The search under a floor, and again under the floor that what was found leaves."""
-    bank = Bank.of(problem)
-    _, state = _searched(problem, settings, bank, floor)
-    return _searched(problem, settings, bank, record_floor(problem, state.slots, slow))
+@dataclass(frozen=True, slots=True, eq=False)
+class _Reading:
+    """A record under one floor, with what the search finds there and what all is worth."""
+
+    engine: Engine
+    state: State
+    worth: float
 
 
-def _searched(
-    problem: Problem, settings: Settings, bank: Bank, floor: Floor
-) -> tuple[Engine, State]:
-    regressors = record_regressors(problem, np.sqrt(np.diag(floor.covariance)))
-    engine = under(problem, settings, bank, floor, regressors)
-    return engine, engine.found()[0]
+class _Readings:
+    """Searches of one record under several floors, none done twice."""
+
+    def __init__(self, problem: Problem, settings: Settings) -> None:
+        self._problem, self._settings = problem, settings
+        self._bank = Bank.of(problem)
+        self._floors: dict[tuple[object, ...], Floor] = {}
+        self._done: dict[int, _Reading] = {}
+
+    def beside(self, effect: Effect) -> "_Readings":
+        """The same with one more effect to be looked for."""
+        problem = replace(self._problem, effects=(*self._problem.effects, effect))
+        more = _Readings(problem, self._settings)
+        more._floors = self._floors
+        return more
+
+    def floor(self, slots: tuple[Slot, ...] = (), slow: float = 1.0) -> Floor:
+        """The floor that the likelihood finds beside some effects."""
+        key = (slow, *(slot.key for slot in slots))
+        if key not in self._floors:
+            self._floors[key] = record_floor(self._problem, slots, slow)
+        return self._floors[key]
+
+    def settled(self, floor: Floor, slow: float = 1.0) -> _Reading:
+        """The search under a floor, and again under the floor that what was found leaves."""
+        first = self._searched(floor)
+        found = self._searched(self.floor(first.state.slots, slow))
+        return found if slow == 1.0 else replace(found, worth=found.worth - _RARE)
+
+    def _searched(self, floor: Floor) -> _Reading:
+        if id(floor) not in self._done:
+            sigma = np.sqrt(np.diag(floor.covariance))
+            regressors = record_regressors(self._problem, sigma)
+            engine = under(self._problem, self._settings, self._bank, floor, regressors)
+            state, unknown = engine.found()
+            self._done[id(floor)] = _Reading(engine, state, _worth(engine, state, unknown))
+        return self._done[id(floor)]
 
 
-def _worth(engine: Engine, state: State) -> float:
+def _worth(engine: Engine, state: State, unknown: Scored | None) -> float:
     """Logarithm of the evidence of noise and effects together, but for a constant."""
     space, sizes = engine.search.bank.space, engine.floor.sizes
     plain = engine.search.state(())
@@ -154,6 +194,8 @@ def _worth(engine: Engine, state: State) -> float:
     log = 2.0 * np.log(sizes.ratio)
     prior = float(log @ np.linalg.solve(prior_of(engine.floor.parts), log))
     explained = _explained(engine, state)
+    if unknown is not None:
+        explained += unknown.evidence - engine.search.threshold
     level = float(np.log(space.prior + plain.rss))
     return explained - determinant - 0.5 * (space.prior + space.dof) * level - 0.5 * prior
 

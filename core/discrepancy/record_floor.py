@@ -20,6 +20,8 @@ _WHITE_SPREAD, _SLOW_SPREAD, _LOUD_SPREAD = 0.2, 0.7, 1.6
 _MEMORIES = 4
 _DECAYS = (0.05, 0.2, 0.6)
 _CERTAIN = 60.0
+_MOST = 0.58
+"""Flicker and walk together beside the white noise of a block, beyond which no such sensor goes."""
 
 
 def record_parts(problem: Problem, slow: float = 1.0) -> tuple[Component, ...]:
@@ -64,6 +66,18 @@ def record_floor(problem: Problem, slots: tuple[Slot, ...] = (), slow: float = 1
     nuisance = np.hstack([problem.design(), _timely(problem), *own])
     sizes = find_sizes(parts, problem.y, nuisance)
     return Floor(parts, sizes, sizes.total(parts), _CERTAIN, "residual")
+
+
+def wanders(floor: Floor) -> bool:
+    """Whether the slow noise is far larger than in sensors as they are.
+
+    What goes slowly and fits no effect looks so, be it noise or not.
+    """
+    sizes = {
+        part.name: ratio * np.sqrt(np.mean(np.diag(part.matrix)))
+        for part, ratio in zip(floor.parts, floor.sizes.ratio, strict=True)
+    }
+    return bool(np.hypot(sizes["drift"], sizes["slow_drift"]) > _MOST * sizes["white"])
 
 
 def _timely(problem: Problem) -> FloatArray:

@@ -9,7 +9,6 @@ from core.discrepancy.problem import Problem
 from core.discrepancy.smooth import smoothed
 from core.errors import RankDeficient
 from core.model.catalogue.listing import CATALOGUE
-from core.model.catalogue.record import Telegraph
 from core.model.catalogue.record_slow import BiasCurve, SlowPickup
 from core.model.effect import Effect, Kind, Sensor
 from core.model.sensor_model import SensorModel
@@ -120,13 +119,12 @@ _OFF, _MANY = 0.3, 0.02
 _BEYOND, _LINE = 60, 9
 
 
-def record_problem(samples: Samples, telegraph: Telegraph | None = None) -> Problem:
+def record_problem(samples: Samples) -> Problem:
     """Return the slow view of a record as a problem of some 360 rows.
 
     Parameters
     ----------
     samples : the record
-    telegraph : paths between two levels that the data suggest
 
     Raises
     ------
@@ -186,7 +184,7 @@ def record_problem(samples: Samples, telegraph: Telegraph | None = None) -> Prob
         zero, zero, zero, zero, {"t_s": t, "mount": np.zeros(n), "run": np.ones(n), **usable}
     )
     sensor = Sensor(run.sensor, run.axes[samples.channel] or "z", run.unit)
-    effects, untested = _effects(stimulus, run.sensor, telegraph)
+    effects, untested = _effects(stimulus, run.sensor)
     return Problem(
         run=blocks,
         stimulus=stimulus,
@@ -229,10 +227,9 @@ def _scatter(y: FloatArray) -> float:
     return max(size, 1e-9 * float(np.ptp(y)), 1e-300)
 
 
-def _effects(
-    stimulus: Stimulus, sensor: str, telegraph: Telegraph | None
-) -> tuple[tuple[Effect, ...], dict[str, str]]:
-    wider = {"bias_temperature": BiasCurve(), "pickup": SlowPickup(), "telegraph": telegraph}
+def _effects(stimulus: Stimulus, sensor: str) -> tuple[tuple[Effect, ...], dict[str, str]]:
+    # The paths of a telegraph are those that what is left of a first search suggests.
+    wider = {"bias_temperature": BiasCurve(), "pickup": SlowPickup(), "telegraph": None}
     chosen: list[Effect] = []
     untested: dict[str, str] = {}
     for effect in CATALOGUE.values():

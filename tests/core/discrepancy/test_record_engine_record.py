@@ -97,7 +97,7 @@ def test_a_walking_bias_is_named_as_noise_and_no_effect_is_sure():
 
     story = explain_record(hour_run(walk, seed=14))
     assert [s.effect for s in story.steps if s.effect in NOISE]
-    assert story.verdict in ("adequate", "ambiguous")
+    assert story.verdict in ("excess_noise", "ambiguous")  # it wanders ten times as usual
 
 
 def test_a_fault_of_the_data_is_a_fact_with_its_own_verdict():

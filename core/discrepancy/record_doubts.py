@@ -1,0 +1,67 @@
+"""What makes a name of a record doubtful: a pickup that is no sine, a telegraph that moves."""
+
+import numpy as np
+
+from core.arrays import FloatArray
+from core.discrepancy.engine import Engine
+from core.discrepancy.evidence import block_evidence
+from core.discrepancy.slots import Slot, State
+from core.discrepancy.space import orthonormal
+from core.model.catalogue.record_slow import SlowPickup
+
+_PICKUP, _TELEGRAPH = "pickup", "telegraph"
+_HARMONICS = (2, 3, 4)
+_ENOUGH = 3.0
+
+
+def has_harmonics(engine: Engine, state: State) -> bool:
+    """Whether the slowest line that was named repeats itself in a form other than a sine.
+
+    A sawtooth or a cycle of a thermostat is as regular as a line; its harmonics tell.
+    """
+    lines = [slot for slot in state.slots if slot.name == _PICKUP]
+    if not lines:
+        return False
+    first = min(lines, key=_cycles)
+    others = tuple(slot for slot in state.slots if slot.name != _PICKUP)
+    columns = np.hstack(
+        [engine.problem.columns(SlowPickup(k * _cycles(first)), 0) for k in _HARMONICS]
+    )
+    return _shows(engine, engine.search.state((*others, first)), columns)
+
+
+def moves_between(engine: Engine, state: State) -> bool:
+    """Whether the bias moves between the jumps of a telegraph, where it ought to stand still.
+
+    Whatever goes up and down is followed by two levels; between their changes a wave is an arch,
+    a sawtooth a slope.
+    """
+    others = tuple(slot for slot in state.slots if slot.name != _PICKUP)
+    path = next((slot.raw[:, 0] for slot in others if slot.name == _TELEGRAPH), None)
+    if path is None:
+        return False
+    high = path > 0.5 * (path.min() + path.max())
+    side = np.where(high, 1.0, -1.0)
+    stay = np.cumsum(np.diff(high, prepend=high[:1]) != 0)
+    within = np.empty(len(path))
+    for one in range(int(stay[-1]) + 1):
+        rows = np.flatnonzero(stay == one)
+        within[rows] = (np.arange(len(rows)) + 0.5) / len(rows)
+    arch, slope = np.sin(np.pi * within), within - 0.5
+    columns = np.column_stack([side * arch, slope, side * slope])
+    return _shows(engine, engine.search.state(others), columns)
+
+
+def _shows(engine: Engine, state: State, columns: FloatArray) -> bool:
+    """Whether columns (n, q) beside a state explain more than chance does."""
+    space = engine.search.bank.space
+    rest = space.rest(columns)
+    basis = orthonormal(rest - state.added @ (state.added.T @ rest))
+    explained = float(np.sum((basis.T @ state.residual) ** 2))
+    dof = space.dof - state.added.shape[1]
+    evidence = block_evidence(explained, basis.shape[1], state.rss, space.prior, dof)
+    return float(evidence) > _ENOUGH
+
+
+def _cycles(slot: Slot) -> float:
+    return slot.instance.effect.shape[0][1]
