@@ -12,12 +12,14 @@ preferences       what holds for every tab
 tour              callouts over the window on the simulated rig
 commands          the subcommands of ``calrig``; no Qt
 measuring         step by step through a plan: what all measuring tabs share
+analysis          records of a list worked out together: what analysis tabs share
 dividing_head     accelerometers on the dividing head: ClbAcc and Pointer
 drift             turn-ons in, a table for the microcontroller out
 rate_table        gyros on the rate table and on the head: ClbDUS
 thermal           sensors over temperature, from a cycle or a record
 live              watching and recording: CVGCom
 rig               the dock of the simulated rig
+exporting         a proposed file name, and the writing of every format
 services          what every tab is given
 devices           which devices at which ports, and the links to them
 garbage           cyclic garbage is collected in the window's thread alone

@@ -12,7 +12,7 @@ from core.version import SOFTWARE
 from gui.accuracy.checking import Checked
 from gui.accuracy.tables import chips_of, parts_of, rule_of, title_of
 from gui.accuracy.texts import say
-from gui.measuring.exporting import ExportFormat
+from gui.exporting import ExportFormat
 from gui.widgets.states import TableState
 from gui.widgets.table_text import table_text
 

@@ -1,18 +1,17 @@
 """The page Which procedure? put together."""
 
-from PySide6.QtCore import QObject
-
-from core.plans.plan import Plan, Step
 from gui.advisor.plan_view import PlanView
 from gui.advisor.presenter import AdvisorPresenter
 from gui.advisor.side_view import AdvisorSide
 from gui.advisor.state import AdvisorState
-from gui.report_export import Report, ReportExport
+from gui.analysis.tab import AnalysisTab
+from gui.exporting import Exporting
+from gui.report_export import SOURCE, Report, report_formats
 from gui.services import Services
 from gui.widgets.analysis_page import AnalysisPage
 
 
-class AdvisorPage(QObject):
+class AdvisorPage(AnalysisTab):
     """Presenter, views and what joins them."""
 
     def __init__(self, services: Services) -> None:
@@ -24,8 +23,16 @@ class AdvisorPage(QObject):
         self._side = AdvisorSide()
         self._page = AnalysisPage(self.plans, ())
         self._named = ""
-        self.exporting = ReportExport(self._report, services.root, services.messages, self)
-        self.exporting.serve(self._page.findings, pictures=False)
+        self.exporting = Exporting(
+            SOURCE,
+            report_formats(drawn=False),
+            self._report,
+            services.root,
+            services.jobs,
+            services.messages,
+            self,
+        )
+        self.exporting.serve(self._page.findings)
         presenter = self.presenter
         self._side.decided.connect(presenter.decide)
         self._side.noise.decided.connect(presenter.set_noise)
@@ -47,14 +54,6 @@ class AdvisorPage(QObject):
         """All the rest."""
         return self._page
 
-    def why_busy(self) -> str:
-        """Nothing here needs the ports."""
-        return ""
-
-    def wanted(self) -> tuple[Plan, Step] | None:
-        """Nothing has to be set on the rig."""
-        return None
-
     def close(self) -> None:
         """Nothing runs that must be ended."""
 
@@ -65,7 +64,7 @@ class AdvisorPage(QObject):
         found = state.frame.findings
         if found is not None and found.title != self._named:
             self._named = found.title
-            self.exporting.propose()
+            self.exporting.renew()
 
     def _report(self) -> Report | None:
         advised, findings = self.presenter.advised, self.presenter.state.frame.findings

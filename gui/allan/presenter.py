@@ -14,6 +14,7 @@ from gui.allan.live import LiveRecord
 from gui.allan.picture import LIVE_COLOUR, picture_of
 from gui.allan.state import AllanState, ChoiceState, RecordRow
 from gui.allan.texts import duration, plain_unit, titled
+from gui.analysis.records import beside
 from gui.devices.connection import Connection
 from gui.messages import Messages
 from gui.widgets.number_text import grouped
@@ -130,9 +131,7 @@ class AllanPresenter(QObject):
             return
         keys = [entry.key for entry in self._library.entries]
         if self._current in keys:
-            place = keys.index(self._current)
-            rest = keys[:place] + keys[place + 1 :]
-            gone, self._current = self._current, rest[min(place, len(rest) - 1)] if rest else 0
+            gone, self._current = self._current, beside(keys, self._current)
             self._messages.clear(SOURCE)
             self._library.remove(gone)
 

@@ -2,19 +2,18 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QObject
-
 from core.errors import LabError, Severity, StorageError
-from core.plans.plan import Plan, Step
-from gui.allan.exporting import Exporting
+from gui.allan.exporting import formats
 from gui.allan.library import Library
 from gui.allan.live import LiveRecord
 from gui.allan.presenter import SOURCE, AllanPresenter
 from gui.allan.view import AllanView
+from gui.analysis.tab import AnalysisTab
+from gui.exporting import Exporting
 from gui.services import Services
 
 
-class AllanTab(QObject):
+class AllanTab(AnalysisTab):
     """Presenter, view and what joins them."""
 
     def __init__(self, services: Services) -> None:
@@ -27,14 +26,17 @@ class AllanTab(QObject):
         )
         self.view = AllanView(self.presenter)
         self.exporting = Exporting(
-            self.library, self._draw, services.root, services.jobs, services.messages, self
+            "export",
+            formats(self._draw),
+            lambda: self.library.studies,
+            services.root,
+            services.jobs,
+            services.messages,
+            self,
         )
-        findings = self.view.findings
-        findings.set_formats(self.exporting.formats)
-        findings.format_chosen.connect(self._propose)
-        findings.export_requested.connect(self.exporting.export)
-        self.library.changed.connect(self._on_library)
-        self.view.export_wanted.connect(findings.export)
+        self.exporting.serve(self.view.findings)
+        self.library.changed.connect(self.exporting.renew)
+        self.view.export_wanted.connect(self.view.findings.export)
 
     @property
     def widget(self) -> AllanView:
@@ -46,16 +48,8 @@ class AllanTab(QObject):
         from gui.allan.plot_view import AllanPlot
 
         self.view.put_plot(AllanPlot())
-        self._on_library()
+        self.exporting.renew()
         self._services.jobs.start("scipy", _warm_up, self._on_warm, self._on_failed)
-
-    def why_busy(self) -> str:
-        """Why the ports cannot be let go of; a live curve is no measurement."""
-        return ""
-
-    def wanted(self) -> tuple[Plan, Step] | None:
-        """Nothing has to be set on the rig."""
-        return None
 
     def load(self, path: Path) -> None:
         """Analyse a record."""
@@ -65,12 +59,6 @@ class AllanTab(QObject):
         """End the live curve; let go of the plot."""
         self.live.stop()
         self.view.drop_plot()
-
-    def _on_library(self) -> None:
-        self._propose(self.view.findings.chosen_format)
-
-    def _propose(self, key: str) -> None:
-        self.view.findings.show_name(self.exporting.propose(key))
 
     def _draw(self, path: Path) -> None:
         from gui.widgets.chart_export import save_chart

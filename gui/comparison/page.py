@@ -2,11 +2,11 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Qt
+from PySide6.QtCore import Qt
 
 from core.errors import Severity, StorageError
-from core.plans.plan import Plan, Step
 from core.records.atomic import write_bytes_atomic
+from gui.analysis.tab import AnalysisTab
 from gui.comparison.content_view import ComparisonContent
 from gui.comparison.presenter import SOURCE, ComparisonPresenter
 from gui.comparison.side_view import ComparisonSide
@@ -19,7 +19,7 @@ from gui.widgets.table_text import table_text
 _NAME = "gyro_comparison.csv"
 
 
-class ComparisonPage(QObject):
+class ComparisonPage(AnalysisTab):
     """Presenter, views and what joins them."""
 
     def __init__(self, services: Services) -> None:
@@ -52,14 +52,6 @@ class ComparisonPage(QObject):
     def widget(self) -> ComparisonContent:
         """The table."""
         return self.content
-
-    def why_busy(self) -> str:
-        """Nothing here needs the ports."""
-        return ""
-
-    def wanted(self) -> tuple[Plan, Step] | None:
-        """Nothing has to be set on the rig."""
-        return None
 
     def close(self) -> None:
         """Nothing runs that must be ended."""

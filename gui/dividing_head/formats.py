@@ -9,7 +9,7 @@ from core.records.legacy.writer import write_legacy
 from core.records.names import stamp
 from core.records.run_file import write_run
 from gui.dividing_head.processing import HeadResult
-from gui.measuring.exporting import ExportFormat
+from gui.exporting import ExportFormat
 
 
 def formats() -> tuple[ExportFormat, ...]:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QObject, Signal
 
-from core.errors import Severity
+from gui.analysis.records import Refusals, beside
 from gui.drift.findings import of_error, of_result
 from gui.drift.knots import Knots
 from gui.drift.library import Entry, Library
@@ -15,7 +15,7 @@ from gui.drift.state import ALL, ChoiceState, DriftState, KnotsState, PictureSta
 from gui.drift.texts import degrees
 from gui.messages import Messages
 from gui.widgets.records_page import ListRow, RecordsState
-from gui.widgets.states import ActionBarState, ActionItem, BannerState, FindingsState
+from gui.widgets.states import ActionBarState, ActionItem, FindingsState
 
 SOURCE = "drift"
 
@@ -37,11 +37,10 @@ class DriftPresenter(QObject):
     def __init__(self, library: Library, messages: Messages, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._library = library
-        self._messages = messages
         self._current = 0
         self._shown = ALL
         self._snap = True
-        self._told = ""
+        self._refusals = Refusals(SOURCE, messages)
         self._knots: Knots | None = None
         self._picture: PictureState | None = None
         self._findings: FindingsState | None = None
@@ -99,9 +98,7 @@ class DriftPresenter(QObject):
         """Take the chosen record out of the list; its file stays."""
         keys = [entry.key for entry in self._library.entries]
         if self._current in keys:
-            place = keys.index(self._current)
-            rest = keys[:place] + keys[place + 1 :]
-            gone, self._current = self._current, rest[min(place, len(rest) - 1)] if rest else 0
+            gone, self._current = self._current, beside(keys, self._current)
             self._library.remove(gone)
 
     def decide(self, settings: Settings) -> None:
@@ -188,22 +185,11 @@ class DriftPresenter(QObject):
         self._findings = of_result(self._knots.result, self._shown, memory)
 
     def _tell_refused(self) -> None:
-        refused = [entry for entry in self._library.entries if entry.error]
-        told = "\n".join(entry.error for entry in refused)
-        if told == self._told:
-            return
-        self._told = told
-        if not refused:
-            self._messages.clear(SOURCE)
-            return
-        what = QCoreApplication.translate("Drift", "{name} is no turn-on").format(
-            name=_name(refused[0])
-        )
+        what = QCoreApplication.translate("Drift", "{name} is no turn-on")
         remedy = QCoreApplication.translate(
             "Drift", "Remove it from the list, or choose another output at the left."
         )
-        why = f"{refused[0].error}."
-        self._messages.show(SOURCE, BannerState(Severity.ERROR, what, why, remedy))
+        self._refusals.tell(self._library.entries, what, remedy)
 
     def _row(self, entry: Entry) -> ListRow:
         if entry.error:

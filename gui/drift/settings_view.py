@@ -43,10 +43,11 @@ class SettingsView(QWidget):
         form = self._form = FieldForm((self.ambient, *alignment, *table, self.channel, *output))
         unit = self.fontMetrics().height()
         form.setContentsMargins(unit // 2, unit // 2, unit // 2, unit // 2)
-        for above in (self.start, self.limit, self.channel):
+        # From below, so that the rows above keep their numbers.
+        for row in (8, 5, 1):
             line = QFrame()
             line.setFrameShape(QFrame.Shape.HLine)
-            form.insertRow(form.getWidgetPosition(above)[0], line)
+            form.insertRow(row, line)
         self.setLayout(form)
         for field in (*alignment, *table, *output):
             field.valueChanged.connect(self._on_edited)

@@ -2,18 +2,17 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QObject
-
 from core.errors import StorageError
-from core.plans.plan import Plan, Step
-from gui.drift.exporting import Exporting
+from gui.analysis.tab import AnalysisTab
+from gui.drift.exporting import formats, page_of
 from gui.drift.library import Library
 from gui.drift.presenter import DriftPresenter
 from gui.drift.view import DriftView
+from gui.exporting import Exporting
 from gui.services import Services
 
 
-class DriftTab(QObject):
+class DriftTab(AnalysisTab):
     """Presenter, view and what joins them."""
 
     def __init__(self, services: Services) -> None:
@@ -22,19 +21,16 @@ class DriftTab(QObject):
         self.presenter = DriftPresenter(self.library, services.messages, self)
         self.view = DriftView(self.presenter)
         self.exporting = Exporting(
-            self.presenter,
-            self.library,
-            self._draw,
+            "export",
+            formats(self._draw),
+            lambda: page_of(self.presenter, self.library),
             services.root,
             services.jobs,
             services.messages,
             self,
         )
-        findings = self.view.page.findings
-        findings.set_formats(self.exporting.formats)
-        findings.format_chosen.connect(self._propose)
-        findings.export_requested.connect(self.exporting.export)
-        self.library.changed.connect(self._on_library)
+        self.exporting.serve(self.view.page.findings)
+        self.library.changed.connect(self.exporting.renew)
 
     @property
     def widget(self) -> DriftView:
@@ -46,15 +42,6 @@ class DriftTab(QObject):
         from gui.drift.plots_view import PlotsView
 
         self.view.put_plots(PlotsView())
-        self._on_library()
-
-    def why_busy(self) -> str:
-        """Why the ports cannot be let go of: nothing here uses them."""
-        return ""
-
-    def wanted(self) -> tuple[Plan, Step] | None:
-        """Nothing has to be set on the rig."""
-        return None
 
     def load(self, path: Path) -> None:
         """Take the record of a turn-on, or a folder of them."""
@@ -63,12 +50,6 @@ class DriftTab(QObject):
     def close(self) -> None:
         """Let go of the plots."""
         self.view.drop_plots()
-
-    def _on_library(self) -> None:
-        self._propose(self.view.page.findings.chosen_format)
-
-    def _propose(self, key: str) -> None:
-        self.view.page.findings.show_name(self.exporting.propose(key))
 
     def _draw(self, path: Path) -> None:
         from gui.widgets.chart_export import save_chart

@@ -1,20 +1,21 @@
 """The page Gyrocompass put together."""
 
-from PySide6.QtCore import QCoreApplication, QObject, QSize
+from PySide6.QtCore import QCoreApplication, QSize
 
-from core.plans.plan import Plan, Step
+from gui.analysis.tab import AnalysisTab
+from gui.exporting import Exporting
 from gui.gyrocompass.content_view import CompassContent
 from gui.gyrocompass.presenter import CompassPresenter
 from gui.gyrocompass.side_view import CompassSide
 from gui.gyrocompass.state import CompassState
-from gui.report_export import Report, ReportExport
+from gui.report_export import SOURCE, Report, report_formats
 from gui.services import Services
 from gui.widgets.analysis_page import AnalysisPage
 
 _PICTURE = QSize(760, 900)
 
 
-class CompassPage(QObject):
+class CompassPage(AnalysisTab):
     """Presenter, views and what joins them."""
 
     def __init__(self, services: Services) -> None:
@@ -32,7 +33,15 @@ class CompassPage(QObject):
             ),
         )
         self._named = ""
-        self.exporting = ReportExport(self._report, services.root, services.messages, self)
+        self.exporting = Exporting(
+            SOURCE,
+            report_formats(),
+            self._report,
+            services.root,
+            services.jobs,
+            services.messages,
+            self,
+        )
         self.exporting.serve(self._page.findings)
         self._side.decided.connect(self.presenter.decide)
         self._side.noise.decided.connect(self.presenter.set_noise)
@@ -51,14 +60,6 @@ class CompassPage(QObject):
         """All the rest."""
         return self._page
 
-    def why_busy(self) -> str:
-        """Nothing here needs the ports."""
-        return ""
-
-    def wanted(self) -> tuple[Plan, Step] | None:
-        """Nothing has to be set on the rig."""
-        return None
-
     def close(self) -> None:
         """Let go of the plot."""
         self.content.close_plot()
@@ -70,7 +71,7 @@ class CompassPage(QObject):
         found = state.frame.findings
         if found is not None and found.title != self._named:
             self._named = found.title
-            self.exporting.propose()
+            self.exporting.renew()
 
     def _report(self) -> Report | None:
         found, findings = self.presenter.found, self.presenter.state.frame.findings

@@ -28,7 +28,6 @@ added_table       those effects as a table
 loading           files of any kind, and what to ask where they leave a choice
 page              the results page as plain data
 printed           its parts as JSON and back, for certificates
-exporting         Export
 live              means and standard deviations of the last second
 graph             Main Graph
 state             everything the view shows

@@ -12,9 +12,9 @@ from core.errors import LabError, Severity
 from core.plans.plan import Plan, Step, load_plans
 from core.procedures.measuring import Phase
 from core.records.session.find import Unfinished, unfinished
+from gui.exporting import ExportFormat, Exporting
 from gui.measuring.bench import Bench
 from gui.measuring.bending import BendingResults
-from gui.measuring.exporting import ExportFormat, Exporting
 from gui.measuring.guide import Guide, S
 from gui.measuring.presenter import MeasuringPresenter
 from gui.measuring.results import Results
@@ -77,7 +77,13 @@ class MeasuringTab(Generic[S], QObject):
             self.bench, self.sitting, self.taking, results, plans, services.settings, self
         )
         self.exporting = Exporting(
-            guide.key, formats, self.exported, self._folder, services.jobs, messages, self
+            f"{guide.key} export",
+            formats,
+            self.exported,
+            self._folder,
+            services.jobs,
+            messages,
+            self,
         )
         nouns = guide.words(plan).nouns
         self._resuming = Resuming(guide.key, guide.tests, nouns, messages, self)

@@ -8,7 +8,7 @@ from core.records.legacy.layout import CLBDUS_HEAD, ROTATION_TABLE, LegacyLayout
 from core.records.legacy.writer import write_legacy
 from core.records.names import stamp
 from core.records.run_file import write_run
-from gui.measuring.exporting import ExportFormat
+from gui.exporting import ExportFormat
 from gui.rate_table.processing import RateResult
 
 

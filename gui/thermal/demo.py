@@ -21,7 +21,7 @@ def play(stage: Stage) -> Told:
     if not isinstance(tab, ThermalTab):
         raise TypeError(f"{TITLE} is a {type(tab).__name__}")
     tab.presenter.simulate()
-    stage.until(lambda: tab.library.outcome is not None, "the cycle was not processed")
+    stage.until(lambda: tab.library.result is not None, "the cycle was not processed")
     for quantity, name in ((BIAS, "thermal-bias"), (TILT, "thermal-tilt")):
         tab.presenter.show(quantity)
         stage.picture(name)
@@ -31,7 +31,7 @@ def play(stage: Stage) -> Told:
         tab.exporting.export(key, str(path))
         stage.until(path.exists, f"{path.name} was not written")
         stage.keep(path)
-    outcome = tab.library.outcome
+    outcome = tab.library.result
     if not isinstance(outcome, CycleOutcome) or outcome.thermal is None:
         raise RuntimeError("the cycle was closed")
     return Told(TITLE, tuple(_compared(outcome.thermal)), path.parent)

@@ -6,6 +6,7 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication, QObject, Signal
 
 from core.errors import LabError, Severity
+from gui.analysis.records import Refusals, beside
 from gui.jobs import Jobs
 from gui.messages import Messages
 from gui.thermal.findings import of_error, of_outcome
@@ -50,7 +51,7 @@ class ThermalPresenter(QObject):
         self._messages = messages
         self._current = 0
         self._quantity = 0
-        self._told = ""
+        self._refusals = Refusals(SOURCE, messages)
         self._findings: FindingsState | None = None
         self._plots: tuple[PlotState, ...] = ()
         self._actions = {
@@ -64,7 +65,7 @@ class ThermalPresenter(QObject):
     @property
     def state(self) -> ThermalState:
         """The tab as it is now."""
-        outcome = self._library.outcome
+        outcome = self._library.result
         record = isinstance(outcome, RecordOutcome)
         output = QCoreApplication.translate("Thermal", "Outputs")
         return ThermalState(
@@ -116,9 +117,7 @@ class ThermalPresenter(QObject):
         """Take the chosen source out of the list; its file stays."""
         keys = [entry.key for entry in self._library.entries]
         if self._current in keys:
-            place = keys.index(self._current)
-            rest = keys[:place] + keys[place + 1 :]
-            gone, self._current = self._current, rest[min(place, len(rest) - 1)] if rest else 0
+            gone, self._current = self._current, beside(keys, self._current)
             self._library.remove(gone)
 
     def decide(self, settings: Settings) -> None:
@@ -163,7 +162,7 @@ class ThermalPresenter(QObject):
 
     def _look(self) -> None:
         """Make what depends on the outcome and on the quantity that is plotted."""
-        outcome, error = self._library.outcome, self._library.error
+        outcome, error = self._library.result, self._library.error
         if outcome is None:
             self._findings, self._plots = of_error(error) if error else None, ()
         else:
@@ -171,22 +170,11 @@ class ThermalPresenter(QObject):
             self._plots = plots_of(outcome, self._quantity)
 
     def _tell_refused(self) -> None:
-        refused = [entry for entry in self._library.entries if entry.error]
-        told = "\n".join(entry.error for entry in refused)
-        if told == self._told:
-            return
-        self._told = told
-        if not refused:
-            self._messages.clear(SOURCE)
-            return
-        what = QCoreApplication.translate("Thermal", "{name} cannot be used").format(
-            name=_name(refused[0])
-        )
+        what = QCoreApplication.translate("Thermal", "{name} cannot be used")
         remedy = QCoreApplication.translate(
             "Thermal", "Remove it from the list; the others are used without it."
         )
-        why = f"{refused[0].error}."
-        self._messages.show(SOURCE, BannerState(Severity.ERROR, what, why, remedy))
+        self._refusals.tell(self._library.entries, what, remedy)
 
     def _row(self, entry: Entry) -> ListRow:
         run = entry.run
@@ -236,7 +224,7 @@ class ThermalPresenter(QObject):
                 "export",
                 QCoreApplication.translate("Thermal", "Export"),
                 "Ctrl+E",
-                enabled=library.outcome is not None,
+                enabled=library.result is not None,
                 why_not=QCoreApplication.translate("Thermal", "There is nothing to export yet."),
             ),
         )
@@ -249,7 +237,7 @@ class ThermalPresenter(QObject):
             return QCoreApplication.translate("Thermal", "The files are being read …")
         if library.error:
             return library.error
-        if library.outcome is not None:
+        if library.result is not None:
             return QCoreApplication.translate(
                 "Thermal", "There is nothing to draw over the temperature; see the notes."
             )

@@ -2,18 +2,17 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QObject
-
 from core.errors import StorageError
-from core.plans.plan import Plan, Step
+from gui.analysis.tab import AnalysisTab
+from gui.exporting import Exporting
 from gui.services import Services
-from gui.thermal.exporting import Exporting
+from gui.thermal.exporting import formats
 from gui.thermal.library import Library
 from gui.thermal.presenter import ThermalPresenter
 from gui.thermal.view import ThermalView
 
 
-class ThermalTab(QObject):
+class ThermalTab(AnalysisTab):
     """Presenter, view and what joins them."""
 
     def __init__(self, services: Services) -> None:
@@ -24,18 +23,16 @@ class ThermalTab(QObject):
         )
         self.view = ThermalView(self.presenter)
         self.exporting = Exporting(
-            self.library,
-            self._draw,
+            "export",
+            formats(self._draw),
+            lambda: self.library.result,
             services.root,
             services.jobs,
             services.messages,
             self,
         )
-        findings = self.view.page.findings
-        findings.set_formats(self.exporting.formats)
-        findings.format_chosen.connect(self._propose)
-        findings.export_requested.connect(self.exporting.export)
-        self.library.changed.connect(self._on_library)
+        self.exporting.serve(self.view.page.findings)
+        self.library.changed.connect(self.exporting.renew)
 
     @property
     def widget(self) -> ThermalView:
@@ -47,15 +44,6 @@ class ThermalTab(QObject):
         from gui.thermal.plots_view import PlotsView
 
         self.view.put_plots(PlotsView())
-        self._on_library()
-
-    def why_busy(self) -> str:
-        """Why the ports cannot be let go of: nothing here uses them."""
-        return ""
-
-    def wanted(self) -> tuple[Plan, Step] | None:
-        """Nothing has to be set on the rig."""
-        return None
 
     def load(self, path: Path) -> None:
         """Take a session's folder, or a file with positions over temperature."""
@@ -64,12 +52,6 @@ class ThermalTab(QObject):
     def close(self) -> None:
         """Let go of the plots."""
         self.view.drop_plots()
-
-    def _on_library(self) -> None:
-        self._propose(self.view.page.findings.chosen_format)
-
-    def _propose(self, key: str) -> None:
-        self.view.page.findings.show_name(self.exporting.propose(key))
 
     def _draw(self, path: Path) -> None:
         from gui.widgets.chart_export import save_chart

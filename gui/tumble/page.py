@@ -1,9 +1,10 @@
 """The page Fourier tumble put together."""
 
-from PySide6.QtCore import QCoreApplication, QObject, QSize
+from PySide6.QtCore import QCoreApplication, QSize
 
-from core.plans.plan import Plan, Step
-from gui.report_export import Report, ReportExport
+from gui.analysis.tab import AnalysisTab
+from gui.exporting import Exporting
+from gui.report_export import SOURCE, Report, report_formats
 from gui.services import Services
 from gui.tumble.content_view import TumbleContent
 from gui.tumble.presenter import TumblePresenter
@@ -14,7 +15,7 @@ from gui.widgets.analysis_page import AnalysisPage
 _PICTURE = QSize(760, 900)
 
 
-class TumblePage(QObject):
+class TumblePage(AnalysisTab):
     """Presenter, views and what joins them."""
 
     def __init__(self, services: Services) -> None:
@@ -29,7 +30,15 @@ class TumblePage(QObject):
                 QCoreApplication.translate("Tumble", "All files (*)"),
             ),
         )
-        self.exporting = ReportExport(self._report, services.root, services.messages, self)
+        self.exporting = Exporting(
+            SOURCE,
+            report_formats(),
+            self._report,
+            services.root,
+            services.jobs,
+            services.messages,
+            self,
+        )
         self.exporting.serve(self._page.findings)
         self._named = ""
         self._side.decided.connect(self.presenter.decide)
@@ -48,14 +57,6 @@ class TumblePage(QObject):
         """All the rest."""
         return self._page
 
-    def why_busy(self) -> str:
-        """Nothing here needs the ports."""
-        return ""
-
-    def wanted(self) -> tuple[Plan, Step] | None:
-        """Nothing has to be set on the rig."""
-        return None
-
     def close(self) -> None:
         """Nothing runs that must be ended."""
 
@@ -66,7 +67,7 @@ class TumblePage(QObject):
         found = state.frame.findings
         if found is not None and found.source != self._named:
             self._named = found.source
-            self.exporting.propose()
+            self.exporting.renew()
 
     def _report(self) -> Report | None:
         study, findings = self.presenter.study, self.presenter.state.frame.findings

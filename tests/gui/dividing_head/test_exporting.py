@@ -8,7 +8,7 @@ from pytestqt.qtbot import QtBot
 from core.records.calibration_json import read_calibration
 from core.records.open import read_any
 from gui.dividing_head.formats import formats
-from gui.measuring.exporting import Exporting
+from gui.exporting import Exporting
 from gui.measuring.nominal import nominal_of
 from tests.gui.head_desk import Desk
 

@@ -9,7 +9,7 @@ from pytestqt.qtbot import QtBot
 from core.errors import Note, Severity, StorageError
 from gui.jobs import Jobs
 from gui.measuring.curve_view import CurveView
-from gui.measuring.exporting import ExportFormat, Exporting
+from gui.exporting import ExportFormat, Exporting
 from gui.measuring.page import CurveState, ResultsPage
 from gui.measuring.results_view import ResultsView
 from gui.messages import Messages

@@ -34,8 +34,8 @@ def measure(folder: Path) -> None:
 def test_the_last_cycle_is_one_key_away(tab: ThermalTab, qtbot: QtBot, tmp_path: Path) -> None:
     measure(tmp_path / "20260101_1000_PW09_thermal_8")
     qtbot.mouseClick(tab.view.page.action_bar.button("last"), Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: tab.library.outcome is not None, timeout=20_000)
-    outcome = tab.library.outcome
+    qtbot.waitUntil(lambda: tab.library.result is not None, timeout=20_000)
+    outcome = tab.library.result
     assert isinstance(outcome, CycleOutcome)
     assert len(outcome.run) == 8 * len(TEMPERATURES)
     assert not outcome.assumed
@@ -60,7 +60,7 @@ def test_an_assembly_of_nine_sensors_is_no_triad(
     write_run(nine, tmp_path / "assembly.run.csv")
     tab.load(tmp_path / "assembly.run.csv")
     qtbot.waitUntil(lambda: not tab.library.busy, timeout=20_000)
-    outcome = tab.library.outcome
+    outcome = tab.library.result
     assert isinstance(outcome, CycleOutcome)
     assert len(outcome.thermal.channels) == 9
     assert outcome.tilt is None

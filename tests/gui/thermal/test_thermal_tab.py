@@ -61,7 +61,7 @@ def test_a_folder_of_nine_files_is_one_cycle(tab: ThermalTab, qtbot: QtBot, fold
         "The same at each temperature",
         "Orders, rms at temperatures left out",
     ]
-    outcome = tab.library.outcome
+    outcome = tab.library.result
     assert isinstance(outcome, CycleOutcome)
     x = outcome.thermal.channels[0]
     assert x.fit.value("scale_factor_t1") == pytest.approx(0.16, abs=0.01)
@@ -103,7 +103,7 @@ def test_a_check_run_takes_no_part(tab: ThermalTab, qtbot: QtBot, tmp_path: Path
     add(tab, qtbot, tmp_path / "check.run.csv")
     qtbot.mouseClick(tab.view.page.action_bar.button("check"), Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: not tab.library.busy)
-    outcome = tab.library.outcome
+    outcome = tab.library.result
     assert isinstance(outcome, CycleOutcome)
     assert len(outcome.run) == 72
     assert outcome.tilt.check
@@ -111,7 +111,7 @@ def test_a_check_run_takes_no_part(tab: ThermalTab, qtbot: QtBot, tmp_path: Path
     assert "check only" in tab.presenter.state.page.rows[1].detail
     qtbot.mouseClick(tab.view.page.action_bar.button("check"), Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: not tab.library.busy)
-    assert len(tab.library.outcome.run) == 88
+    assert len(tab.library.result.run) == 88
 
 
 def test_a_check_beyond_the_temperatures_is_refused(
@@ -133,7 +133,7 @@ def test_the_public_record_of_a_chamber(tab: ThermalTab, qtbot: QtBot, tmp_path:
     path.write_bytes(gzip.decompress(packed.read_bytes()))
     add(tab, qtbot, path)
     decide(tab, qtbot, bias_order=3)
-    outcome = tab.library.outcome
+    outcome = tab.library.result
     assert isinstance(outcome, RecordOutcome)
     # The published R^2 of order 3.
     assert [row[2] for row in table(tab, "Before and after")] == ["0.570", "0.997", "0.535"]
@@ -161,7 +161,7 @@ def test_the_public_six_poses(tab: ThermalTab, qtbot: QtBot, tmp_path: Path) -> 
         (DATA / "imucal_ferraris" / "example_cal.json").read_text(encoding="utf-8")
     )
     k = np.array(published["K_a"]) @ np.array(published["R_a"])
-    outcome = tab.library.outcome
+    outcome = tab.library.result
     assert isinstance(outcome, CycleOutcome)
     assert outcome.splits[0].six.triad.k == pytest.approx(k, rel=1e-9)
     notes = {note.subject for note in tab.presenter.state.page.findings.notes}
@@ -218,7 +218,7 @@ def test_what_cannot_be_used_is_said(tab: ThermalTab, qtbot: QtBot, tmp_path: Pa
     bad.write_text("no numbers\n", encoding="utf-8")
     add(tab, qtbot, bad)
     assert tab.presenter.state.page.rows[1].trouble
-    assert tab.library.outcome is not None
+    assert tab.library.result is not None
     assert tab.messages.current is not None
     other = replace(cycle(), unit="V")
     write_run(other, tmp_path / "volts.run.csv")
@@ -226,7 +226,7 @@ def test_what_cannot_be_used_is_said(tab: ThermalTab, qtbot: QtBot, tmp_path: Pa
     assert "differ in unit" in tab.view.page.hint.text()
     tab.presenter.act("remove")
     qtbot.waitUntil(lambda: not tab.library.busy)
-    assert tab.library.outcome is not None
+    assert tab.library.result is not None
 
 
 def test_g_that_no_file_states_is_assumed_and_said(
@@ -246,7 +246,7 @@ def test_orders_and_reference_are_inputs(tab: ThermalTab, qtbot: QtBot) -> None:
     form.bias_order.setValue(1)
     form.reference.setValue(20.0)
     qtbot.waitUntil(lambda: not tab.library.busy, timeout=20_000)
-    outcome = tab.library.outcome
+    outcome = tab.library.result
     assert isinstance(outcome, CycleOutcome)
     assert [one.bias_order for one in outcome.thermal.channels] == [1, 1, 1]
     assert outcome.thermal.reference_c == 20.0
@@ -278,4 +278,4 @@ def test_a_whole_cycle_is_computed_in_a_blink() -> None:
 def test_another_tab_hands_a_folder_over(tab: ThermalTab, qtbot: QtBot, folder: Path) -> None:
     tab.load(folder)
     qtbot.waitUntil(lambda: not tab.library.busy, timeout=20_000)
-    assert tab.library.outcome is not None
+    assert tab.library.result is not None
