@@ -1,11 +1,10 @@
 """The application: makes every part and joins them; nothing else knows more than its own part."""
 
-import importlib
 import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QByteArray, QObject, QStandardPaths, QTimer, Signal
 from PySide6.QtWidgets import QApplication, QWidget
@@ -16,7 +15,7 @@ from gui.hooks import hook_errors, hook_signals
 from gui.jobs import Jobs
 from gui.languages.choice import SYSTEM, Languages
 from gui.languages.shown import shown
-from gui.main_window import MainWindow, Tab, TabModule
+from gui.main_window import MainWindow, Tab
 from gui.messages import Messages
 from gui.settings import Settings, folder_of, number_of, text_of
 from gui.widgets.sound import Cue, Sounds
@@ -27,6 +26,7 @@ from gui.widgets.window_menu import LOOKS, VOLUMES
 if TYPE_CHECKING:
     from core.plans.plan import Plan, Step
     from drivers.profile import Profile
+    from gui.tab_maker import TabMaker
 
 TABS: dict[str, str] = {
     "Dividing head": "gui.dividing_head.tab",
@@ -44,8 +44,8 @@ TABS: dict[str, str] = {
 }
 """Every tab of the window: its title and the module that makes it."""
 
-_WITHOUT_RIG = ("Thermal", "Drift", "Model vs data", "Archive", "Certificates")
-"""Tabs that work with what was measured: there the dock of the rig gives its room to tables."""
+_WITHOUT_RIG = ("Thermal", "Drift", "Model vs data", "Archive", "Teach a board", "Certificates")
+"""Tabs without a use for the rig: there its dock gives its room to tables."""
 _WELCOME, _PROPERTIES = "welcome", "properties"
 _CUES = {"start": Cue.START, "done": Cue.DONE, "error": Cue.ERROR}
 
@@ -77,8 +77,10 @@ class Application(QObject):
     options : how it was started
     """
 
+    usable = Signal()
+    """The tab on the screen is there, and the ports of the last time are being opened."""
     ready = Signal()
-    """The tabs are there, and the ports of the last time are being opened."""
+    """All tabs are there, and what helps beside them."""
 
     def __init__(self, qt: QApplication, options: Options) -> None:
         super().__init__()
@@ -92,6 +94,7 @@ class Application(QObject):
         self.sounds = Sounds(parent=self)
         self.tabs: dict[str, Tab] = {}
         self._made = False
+        self._maker: TabMaker | None = None
         self._rig_panel: QWidget | None = None
         section = self.settings.section("window")
         look = text_of(section, "look", "system")
@@ -111,6 +114,8 @@ class Application(QObject):
 
     def close(self) -> None:
         """Let go of everything; may be called again."""
+        if self._maker is not None:
+            self._maker.stop()
         for tab in self.tabs.values():
             tab.close()
         if self._made:
@@ -140,7 +145,7 @@ class Application(QObject):
     # --- joining ----------------------------------------------------------------------------------
 
     def _make_parts(self) -> None:
-        """Import and make everything behind the window: numpy, the drivers, the tabs."""
+        """Import and make what stands behind the tab on the screen: numpy, the drivers."""
         from gui.devices.adc import AdcPresenter
         from gui.devices.adc_view import AdcPanel
         from gui.devices.connection import Connection
@@ -148,9 +153,9 @@ class Application(QObject):
         from gui.devices.setup import setups_of_section
         from gui.devices.stopping import Stopping
         from gui.devices.view import DevicesView
-        from gui.guidance import Guidance
         from gui.handing import Handing
         from gui.services import Services
+        from gui.tab_maker import TabMaker
 
         self.connection = Connection(self._profiles, self._raw_folder, self.messages, self)
         self.devices = DevicesPresenter(
@@ -162,7 +167,7 @@ class Application(QObject):
         self.adc = AdcPresenter(self.connection, self.jobs, lambda: self._root, self)
         self.window.put_adc(AdcPanel(self.adc))
         self._connect()
-        handing = Handing(self.tabs, lambda tab: self.window.tabs.setCurrentWidget(tab.widget))
+        handing = Handing(self._all_tabs, self._show_tab)
         services = Services(
             self.connection,
             self.jobs,
@@ -178,21 +183,11 @@ class Application(QObject):
             self._why_busy,
             handing.calibrate_with,
         )
-        for place, title in enumerate(TABS):
-            module = cast("TabModule", importlib.import_module(TABS[title]))
-            tab = module.make_tab(services)
-            self.tabs[title] = tab
-            self.window.put_tab(place, tab.widget, title)
-        self.guidance = Guidance(
-            self.window,
-            self.messages,
-            self.settings,
-            lambda: self._root,
-            self.tabs,
-            self._connect_rig,
-        )
+        self._maker = TabMaker(TABS, self.tabs, self.window, services, self)
+        self._maker.complete.connect(self._on_complete)
+        self._maker.make_current()
         self._made = True
-        QTimer.singleShot(0, self._after_paint)
+        QTimer.singleShot(0, self._open_ports)
 
     def _connect(self) -> None:
         window, connection = self.window, self.connection
@@ -211,7 +206,7 @@ class Application(QObject):
         section = self.settings.section("window")
         geometry = text_of(section, "geometry")
         if not (geometry and self.window.restoreGeometry(QByteArray.fromHex(geometry.encode()))):
-            self.window.resize(1280, 800)
+            self.window.take_first_size()
         menu = self.window.menu
         menu.show_look(self._look)
         self.sounds.set_volume(number_of(section, "volume", VOLUMES["normal"], 0.0, 1.0))
@@ -225,9 +220,7 @@ class Application(QObject):
             if doubt:
                 self.messages.log(Severity.WARNING, doubt)
 
-    def _after_paint(self) -> None:
-        for tab in self.tabs.values():
-            tab.after_paint()
+    def _open_ports(self) -> None:
         setups = self.devices.state.rows
         known = all(setup.url and setup.profile_id for setup in setups)
         if self._options.simulated:
@@ -236,6 +229,21 @@ class Application(QObject):
             self.connection.open(setups)
         else:
             self.messages.show(_WELCOME, _welcome())
+        self.usable.emit()
+        if self._maker is not None:
+            self._maker.make_rest()
+
+    def _on_complete(self) -> None:
+        from gui.guidance import Guidance
+
+        self.guidance = Guidance(
+            self.window,
+            self.messages,
+            self.settings,
+            lambda: self._root,
+            self.tabs,
+            self._connect_rig,
+        )
         if not self._options.quiet:
             self.guidance.tour.offer()
         self._collector.settle()
@@ -276,6 +284,12 @@ class Application(QObject):
     def _raw_folder(self) -> Path:
         return self._root / "raw"
 
+    def _all_tabs(self) -> "Mapping[str, Tab]":
+        return self.tabs if self._maker is None else self._maker.all()
+
+    def _show_tab(self, tab: Tab) -> None:
+        self.window.tabs.setCurrentWidget(tab.widget)
+
     def _why_busy(self) -> str:
         return next((why for tab in self.tabs.values() if (why := tab.why_busy())), "")
 
@@ -308,9 +322,8 @@ class Application(QObject):
         self.window.show_rig(self._rig_panel)
 
     def _on_tab(self) -> None:
-        here = self.window.tabs.currentWidget()
-        without = (self.tabs[title].widget for title in _WITHOUT_RIG if title in self.tabs)
-        self.window.make_room(any(here is widget for widget in without))
+        here = self.window.tabs.currentIndex()
+        self.window.make_room(here >= 0 and tuple(TABS)[here] in _WITHOUT_RIG)
 
     def _on_welcomed(self) -> None:
         if self.connection.link is not None:

@@ -14,17 +14,17 @@ class Handing:
 
     Parameters
     ----------
-    tabs : by title; tabs may come later
+    tabs : returns all tabs by their titles
     show : brings a tab to the front
     """
 
-    def __init__(self, tabs: Mapping[str, Tab], show: Callable[[Tab], None]) -> None:
+    def __init__(self, tabs: Callable[[], Mapping[str, Tab]], show: Callable[[Tab], None]) -> None:
         self._tabs = tabs
         self._show = show
 
     def open_plan(self, plan: Plan) -> bool:
         """Hand a plan to the tab that measures it; return whether one took it."""
-        for tab in self._tabs.values():
+        for tab in self._tabs().values():
             if isinstance(tab, PlanTab) and tab.open_plan(plan):
                 self._show(tab)
                 return True
@@ -32,7 +32,7 @@ class Handing:
 
     def open_file(self, title: str, path: Path) -> bool:
         """Hand a file to the tab of a title; return whether there is such a tab."""
-        tab = self._tabs.get(title)
+        tab = self._tabs().get(title)
         if not isinstance(tab, LoadTab):
             return False
         self._show(tab)
@@ -41,7 +41,7 @@ class Handing:
 
     def calibrate_with(self, addition: Addition, show: bool) -> bool:
         """Hand a run with added effects to the tab that calibrates such runs; whether one did."""
-        for tab in self._tabs.values():
+        for tab in self._tabs().values():
             if isinstance(tab, CalibratingTab) and tab.calibrate_with(addition, show):
                 if show:
                     self._show(tab)
@@ -50,7 +50,7 @@ class Handing:
 
     def certify(self, measured: Measured) -> None:
         """Hand results to the tab that makes certificates."""
-        for tab in self._tabs.values():
+        for tab in self._tabs().values():
             if isinstance(tab, CertifyingTab):
                 self._show(tab)
                 tab.certify(measured)

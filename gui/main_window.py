@@ -1,11 +1,21 @@
 """The window: device strip, tabs, banner, log; the rig's dock at the right."""
 
+from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol, runtime_checkable
 
 from PySide6.QtCore import QEvent, QLocale, QSignalBlocker, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QAction, QCloseEvent, QHelpEvent, QKeySequence, QPaintEvent, QShortcut
+from PySide6.QtGui import (
+    QAction,
+    QCloseEvent,
+    QHelpEvent,
+    QIcon,
+    QKeySequence,
+    QPaintEvent,
+    QShortcut,
+)
 from PySide6.QtWidgets import (
+    QApplication,
     QDockWidget,
     QMainWindow,
     QTabWidget,
@@ -29,6 +39,9 @@ if TYPE_CHECKING:
     from gui.devices.view import DevicesView
     from gui.preferences.view import PreferencesView
     from gui.services import Addition, Services
+
+
+_FIRST, _SMALLEST = QSize(1280, 800), QSize(1000, 640)
 
 
 class Tab(Protocol):
@@ -171,7 +184,17 @@ class MainWindow(QMainWindow):
         column.addWidget(self.log)
         self._column = column
         self.setCentralWidget(centre)
-        self.setMinimumSize(QSize(1000, 640))
+        self.setMinimumSize(_SMALLEST)
+        self.setWindowIcon(QIcon(str(resources.files("resources") / "icons" / "calrig.svg")))
+
+    def take_first_size(self) -> None:
+        """Take the size of a first start: all of a screen that has little more room than that."""
+        self.resize(_FIRST)
+        room = self.screen().availableGeometry().size()
+        frame = QSize(0, 3 * self.fontMetrics().height())
+        fits = (_FIRST + frame).boundedTo(room) == _FIRST + frame
+        if not fits and _SMALLEST.boundedTo(room) == _SMALLEST:
+            self.setWindowState(Qt.WindowState.WindowMaximized)
 
     def _build_menu(self) -> None:
         menu = self.menu
@@ -264,6 +287,10 @@ class MainWindow(QMainWindow):
         self._roomy = needed
         if needed:
             self._rig_was_open = self.rig_dock.isVisible()
+            focus, page = QApplication.focusWidget(), self.tabs.currentWidget()
+            if page is not None and focus is not None and self.rig_dock.isAncestorOf(focus):
+                # Else Qt hands the keys to the device strip, where digits choose a device.
+                (page.focusWidget() or page).setFocus(Qt.FocusReason.OtherFocusReason)
             self.rig_dock.hide()
         elif self._rig_was_open:
             self.rig_dock.show()

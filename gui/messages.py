@@ -46,7 +46,8 @@ class Messages(QObject):
         self._banners.pop(source, None)
         self._banners[source] = banner
         words = " ".join(part for part in (banner.meaning, banner.remedy) if part)
-        self.log(banner.severity, f"{banner.what}. {words}" if words else banner.what, source)
+        end = "" if banner.what.endswith(("?", "!", ".")) else "."
+        self.log(banner.severity, f"{banner.what}{end} {words}" if words else banner.what, source)
         self.shown.emit(self.current)
 
     def tell_error(

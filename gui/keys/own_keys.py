@@ -118,7 +118,10 @@ def own_keys() -> Own:
         ),
         "Callout": (
             QCoreApplication.translate("Keys", "Tour"),
-            (("Esc", QCoreApplication.translate("Keys", "Leave it")),),
+            (
+                ("Return", QCoreApplication.translate("Keys", "Go on")),
+                ("Esc", QCoreApplication.translate("Keys", "Leave it")),
+            ),
         ),
         "Banner": (
             QCoreApplication.translate("Keys", "Message"),

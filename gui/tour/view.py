@@ -8,6 +8,7 @@ from gui.languages.shown import shown
 from gui.widgets.theme import current_theme
 
 _EDGE = 3
+_ENTER = "\N{RETURN SYMBOL}"
 
 
 class Frame(QWidget):
@@ -101,7 +102,9 @@ class Callout(QWidget):
         self._leave.setText(self.tr("Leave the tour"))
         self._back.setText(self.tr("Back"))
         last = self._leave.isHidden() and not self.isHidden()
-        self.next.setText(self.tr("Done") if last else self.tr("Next"))
+        words = self.tr("Done") if last else self.tr("Next")
+        self.next.setText(f"{words}  {_ENTER}")
+        self.next.setAccessibleName(words)
 
     def stand_beside(self, area: QRect) -> None:
         """Go where the area is not covered: below, above, right or left of it."""
@@ -121,8 +124,12 @@ class Callout(QWidget):
         self.move(room.right() - self.width(), y)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
+        # Space stays the key that measures, also under the tour.
         if event.key() == Qt.Key.Key_Escape:
             self.left.emit()
+        elif event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            focus = self.focusWidget()
+            (focus if isinstance(focus, QPushButton) else self.next).click()
         else:
             super().keyPressEvent(event)
 

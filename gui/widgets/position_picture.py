@@ -96,9 +96,16 @@ def describe(pose: Pose) -> str:
     """Return the picture in words, for the tool tip and for a screen reader."""
     if pose.rate_dps is not None:
         return describe_table(pose)
-    parts = [pose.mount.replace("_", " "), angle_text(pose.head_deg)]
+    parts = [_mount_text(pose), angle_text(pose.head_deg)]
     parts += [f"{mark.name} {_direction(mark)}" for mark in axis_marks(case_axes(pose))]
     return ", ".join(parts)
+
+
+def _mount_text(pose: Pose) -> str:
+    """``X_from@90`` as it stands under the picture: "X from ODH @ 90"."""
+    place, _, reindex = pose.mount.partition("@")
+    words = f"{place.replace('_', ' ')} ODH"
+    return f"{words} @ {reindex}" if reindex else words
 
 
 def _direction(mark: AxisMark) -> str:
@@ -355,8 +362,7 @@ class _Drawing:
         painter.setFont(self._font(0.10))
         painter.setPen(QColor(theme.muted))
         foot = QRectF(self._at(-1.0, -0.80), self._at(0.2, -1.0))
-        mount = pose.mount.replace("_", " ").replace("@", " @ ")
-        painter.drawText(foot, left | Qt.AlignmentFlag.AlignBottom, mount)
+        painter.drawText(foot, left | Qt.AlignmentFlag.AlignBottom, _mount_text(pose))
         painter.setPen(self._pen(theme.muted, 0.018))
         painter.drawLine(self._at(0.90, -0.62), self._at(0.90, -0.93))
         path = QPainterPath(self._at(0.90, -0.99))

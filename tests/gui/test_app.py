@@ -7,10 +7,12 @@ import sys
 from collections.abc import Callable
 from pathlib import Path
 
+import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QApplication, QDockWidget, QWidget
+from PySide6.QtWidgets import QApplication, QDockWidget, QDoubleSpinBox, QWidget
+from pytestqt.qtbot import QtBot
 
-from gui.app import TABS
+from gui.app import TABS, Application, Options
 from gui.widgets.theme import current_theme
 from tests.gui.window_driver import Driver
 
@@ -68,6 +70,55 @@ def test_the_window_is_painted_within_a_second_of_cpu_and_without_scipy(tmp_path
     assert told["early"] == []
     assert told["later"] == []
     assert told["cpu_s"] < 1.0, told
+
+
+def test_the_first_tab_is_usable_before_the_others_are_made(qtbot: QtBot, tmp_path: Path):
+    qt = QApplication.instance()
+    assert isinstance(qt, QApplication)
+    app = Application(qt, Options("", tmp_path, tmp_path / "set.json", quiet=True))
+    qtbot.addWidget(app.window)
+    there: list[list[str]] = []
+
+    def on_usable() -> None:
+        there.append(list(app.tabs))
+        # Somebody is quicker than the program.
+        app.window.tabs.setCurrentIndex(9)
+        there.append(list(app.tabs))
+
+    app.usable.connect(on_usable)
+    with qtbot.waitSignal(app.ready, timeout=30_000):
+        app.start()
+    assert there == [["Dividing head"], ["Dividing head", "Archive"]]
+    assert app.window.tabs.currentWidget() is app.tabs["Archive"].widget
+    assert set(app.tabs) == set(TABS)
+    for place, title in enumerate(TABS):
+        assert app.window.tabs.widget(place) is app.tabs[title].widget
+    app.close()
+
+
+def test_a_tab_that_cannot_be_made_keeps_no_other_away(
+    open_app: Callable[[], Driver], qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.setitem(TABS, "Thermal", "gui.no_such_tab")
+    with qtbot.captureExceptions() as caught:
+        app = open_app().app
+    assert [kind for kind, _, _ in caught] == [ModuleNotFoundError]
+    assert set(app.tabs) == set(TABS) - {"Thermal"}
+
+
+def test_keys_go_to_the_tab_when_the_rig_gives_it_its_room(open_app: Callable[[], Driver]):
+    operator = open_app()
+    app = operator.app
+    app.open_simulated("pointer")
+    operator.until(lambda: app.window.rig_dock.isVisible())
+    panel = app.window.rig_dock.widget()
+    assert panel is not None
+    next(box for box in panel.findChildren(QDoubleSpinBox)).setFocus()
+    app.window.tabs.setCurrentIndex(list(TABS).index("Archive"))
+    assert not app.window.rig_dock.isVisible()
+    focus = QApplication.focusWidget()
+    page = app.tabs["Archive"].widget
+    assert focus is page or (focus is not None and page.isAncestorOf(focus))
 
 
 def test_every_tab_of_the_table_is_there_and_can_be_walked(open_app: Callable[[], Driver]):

@@ -41,8 +41,10 @@ class Studio:
         root = Path(self._temporary.name)
         self.url = f"sim://{device}?speed={speed}&name={root.name}" if device else ""
         self.app = Application(qt, Options(self.url, root, root / "settings.json", quiet=True))
+        ready: list[bool] = []
+        self.app.ready.connect(lambda: ready.append(True))
         self.app.start()
-        self.until(lambda: bool(self.app.tabs))
+        self.until(lambda: bool(ready))
         tab = self.app.tabs["Dividing head"]
         if not isinstance(tab, HeadTab):
             raise TypeError("the first tab is not the dividing head's")

@@ -62,6 +62,18 @@ def test_measuring_goes_on_under_the_tour_and_escape_leaves_it(open_app: Callabl
     assert not tour.callout.isVisible()
 
 
+def test_enter_goes_on_and_space_measures_under_the_tour(open_app: Callable[[], Driver]):
+    operator, tour = begun(open_app)
+    operator.key(Qt.Key.Key_Return)
+    assert tour.number == 1
+    tour.callout._back.setFocus()
+    operator.key(Qt.Key.Key_Enter)
+    assert tour.number == 0
+    operator.key(Qt.Key.Key_Space)
+    operator.until(lambda: operator.tab.sitting.walk.measuring)
+    assert tour.number == 0
+
+
 def test_it_is_offered_at_the_first_start_only(qtbot: QtBot, tmp_path: Path):
     offers = []
     for _ in range(2):
