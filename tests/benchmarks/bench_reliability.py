@@ -8,6 +8,7 @@ fault happens a few times. ``--only WORD`` takes the faults and readers whose na
 
 import argparse
 import importlib.util
+import os
 import platform
 import random
 import subprocess
@@ -15,7 +16,7 @@ import sys
 import tempfile
 import time
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -45,6 +46,8 @@ class Row:
     trials: int
     lost: int
     told: str
+    spent_s: float = 0.0
+    load: float = 0.0
 
     def line(self, unit: str) -> str:
         """As the other benchmarks print it."""
@@ -56,7 +59,17 @@ class Row:
         """As the page shows it."""
         told = self.told.replace("|", "/").replace("<", "&lt;")
         told = told if len(told) <= _WIDEST else told[: _WIDEST - 3] + "..."
-        return f"| {self.name} | {self.trials} | {self.lost} | {told} |"
+        took = f"{self.spent_s:.0f} s, {self.load:.1f}"
+        return f"| {self.name} | {self.trials} | {self.lost} | {took} | {told} |"
+
+
+def timed(rows: Iterator[Row]) -> Iterator[Row]:
+    """The same rows, each with how long it took and how much the machine had to do meanwhile."""
+    began = time.monotonic()
+    for row in rows:
+        now = time.monotonic()
+        yield replace(row, spent_s=now - began, load=os.getloadavg()[0])
+        began = time.monotonic()
 
 
 def faults(names: Sequence[str], long: bool) -> Iterator[Row]:
@@ -137,13 +150,13 @@ def kept(word: str, head: str, row: Row) -> None:
     before, begin, rest = text.partition(BEGIN.format(word))
     table, end, after = rest.partition(END.format(word))
     when = datetime.now(UTC).date().isoformat()
-    system = f"{platform.system()}, Python {platform.python_version()}"
+    system = f"{platform.system()}, Python {platform.python_version()}, {os.cpu_count()} cores"
     lines = {line.split(" | ")[0]: line for line in table.splitlines()[_HEAD_LINES:]}
     new = row.cells()
     lines[new.split(" | ")[0]] = new
     order = [f"| {name}" for name in _names(word)]
     rows = [lines[name] for name in order if name in lines]
-    heads = ("", f"{when}, {system}:", "", head, "| --- | --- | --- | --- |")
+    heads = ("", f"{when}, {system}:", "", head, "| --- | --- | --- | --- | --- |")
     whole = "\n".join([*heads, *rows, ""])
     write_text_atomic(PAGE, f"{before}{begin}{whole}{end}{after}")
 
@@ -158,14 +171,14 @@ def main() -> None:
         print("the fault table needs Linux or macOS: it kills, stops and limits processes")
         return
     for word, head, unit, rows in (
-        ("faults", "| fault | trials | lost | message |", "trials", faults),
-        ("readers", "| reader | files | broken rules | how |", "files", readers),
+        ("faults", "| fault | trials | lost | took, load | message |", "trials", faults),
+        ("readers", "| reader | files | broken rules | took, load | how |", "files", readers),
     ):
         if wanted.table not in (word, "both"):
             continue
         known = FAULTS if word == "faults" else READERS
         names = [name for name in known if wanted.only in name]
-        for row in rows(names, wanted.long):
+        for row in timed(rows(names, wanted.long)):
             print(row.line(unit), flush=True)
             if wanted.long:
                 kept(word, head, row)
