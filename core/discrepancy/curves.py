@@ -20,6 +20,8 @@ _LOCAL_DEG, _LOCAL = 20.0, 0.12
 _DUST, _DUST_OF_MOST = 1e-3, 1e-5
 _SHARES = (0.05, 0.15, 0.5)
 """Time constants of what dies away, in parts of the longest time since a mounting."""
+_ROWS = (4.0, 10.0, 25.0)
+"""Time constants of what follows late, in rows."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -98,6 +100,7 @@ def _circumstances(problem: Problem) -> list[_Described]:
     found.append((name, unit, t, waves(times(problem))))
     since = _since_mounting(problem)
     found.append(("since_mounting", unit, since, _decays(since)))
+    found.append(("previous", *_followed(problem)))
     temperature = stimulus.columns.get("temperature_c", np.full(n, np.nan))
     if np.all(np.isfinite(temperature)):
         found.append(("temperature_c", "degC", temperature, powers(temperature, 4)))
@@ -185,6 +188,23 @@ def _decays(since: FloatArray) -> FloatArray:
     if np.sum(since == 0.0) < 2:
         return np.zeros((len(since), 0))
     return np.exp(-since[:, None] / (np.array(_SHARES) * max(float(since.max()), 1e-9)))
+
+
+def _followed(problem: Problem) -> tuple[str, FloatArray, FloatArray]:
+    """Unit and setting before (n,), and inputs followed late (n, q), as by a body that creeps."""
+    run, t = problem.run, times(problem)
+    table = run.test == "rate_table"
+    place = run.set_rate_dps if table else np.mod(run.head_deg, 360.0)
+    inputs = place[:, None] if table else problem.stimulus.a
+    size = np.max(np.abs(inputs))
+    inputs = inputs[:, np.ptp(inputs, axis=0) > 1e-6 * size] / size
+    steps = np.diff(t, prepend=t[0])
+    keep = np.exp(-steps[:, None] / (np.array(_ROWS) * max(float(np.median(steps[1:])), 1e-9)))
+    found = np.zeros((len(t), inputs.shape[1], len(_ROWS)))
+    for row in range(1, len(t)):
+        found[row] = keep[row] * found[row - 1] + (1.0 - keep[row]) * inputs[row - 1][:, None]
+    before = np.concatenate([place[:1], place[:-1]])
+    return "deg/s" if table else "deg", before, found.reshape(len(t), -1)
 
 
 def _harmonics(head_deg: FloatArray) -> FloatArray:

@@ -94,3 +94,21 @@ def test_two_true_effects_are_not_called_an_imitation():
     assert {slot.name for slot in state.slots} == {"second_order_nonlinearity", "bias_jump"}
     assert unknown is None
     assert not imitated
+
+
+def test_a_body_that_creeps_after_each_setting_is_unknown_structure():
+    def creeping(truth: Truth) -> np.ndarray:
+        late, out = 0.0, np.zeros(len(truth.t))
+        for row in range(1, len(out)):
+            part = np.exp(-(truth.t[row] - truth.t[row - 1]) / 300.0)
+            late = part * late + (1.0 - part) * truth.a[row - 1, 2]
+            out[row] = 4e-4 * late
+        return out
+
+    rows = [APART[int(i)] for i in np.random.default_rng(8).permutation(len(APART))]
+    ladder = Ladder.of(head_run(creeping, rows, seed=6), QUICK)
+    unknown = ladder.engine.search.unknown(ladder.state)
+    assert ladder.engine.regressors[unknown.regressor].name == "previous"
+    story = ladder.found().explanation
+    assert story.steps
+    assert UNKNOWN in (story.steps[-1].effect, *story.steps[-1].indistinguishable_from)
