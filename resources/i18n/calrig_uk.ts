@@ -685,6 +685,11 @@
         </message>
         <message>
             <location filename="../../gui/certificate/html.py" />
+            <source>The stated intervals are two-sided, for a coverage probability of 95 %, from the profile of the likelihood; U is the larger of their two halves. Of what was not detected the one-sided limit is stated (&lt;), for the same probability.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/certificate/html.py" />
             <source>The stated uncertainty is the expanded uncertainty U: the standard uncertainty times the coverage factor {span}, for a normal distribution and a coverage probability of 95 %.</source>
             <translation>Зазначена невизначеність є розширеною невизначеністю U: стандартна невизначеність, помножена на коефіцієнт охоплення {span}, для нормального розподілу і ймовірності охоплення 95 %.</translation>
         </message>
@@ -4241,7 +4246,7 @@
         </message>
         <message>
             <location filename="../../gui/archive/actions.py" />
-            <source>Choose a session, a run, an old file or a calibration.</source>
+            <source>Choose a session, a run, an old file, a record or a calibration.</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -6016,6 +6021,11 @@ State the noise of the gyro at the left, or take it from a record, to see how lo
         </message>
         <message>
             <location filename="../../gui/keys/own_keys.py" />
+            <source>Go on</source>
+            <translation>Далі</translation>
+        </message>
+        <message>
+            <location filename="../../gui/keys/own_keys.py" />
             <source>Message</source>
             <translation>Повідомлення</translation>
         </message>
@@ -7017,6 +7027,126 @@ Measure the plan fourier_400 (5° to 400° by 5°) or fourier_flip in the tab Di
             <translation>шум із пам'яттю</translation>
         </message>
         <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>noise of a record at rest: likelihood of its spectrum and Allan deviation, terms of IEEE Std 952 and IEEE Std 1431, practicum (6.3), (6.4)</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>angle random walk</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>bias instability</source>
+            <translation>нестабільність зміщення нуля</translation>
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>rate random walk</source>
+            <translation>випадкове блукання швидкості</translation>
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>rate ramp</source>
+            <translation>лінійний дрейф швидкості</translation>
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>angle quantization</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>velocity random walk</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>acceleration random walk</source>
+            <translation>випадкове блукання прискорення</translation>
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>acceleration ramp</source>
+            <translation>лінійний дрейф прискорення</translation>
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>velocity quantization</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>Noise coefficients, 95 %</source>
+            <translation>Коефіцієнти шуму, 95 %</translation>
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>Allan deviation with its 95 % limits</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>averaging time τ, s</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>no term was fitted</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>{name}: its noise cannot be certified: {why}</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>term (IEEE 952, IEEE 1431)</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>stated as</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>from … to</source>
+            <translation>від … до</translation>
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>fitted model</source>
+            <translation>оцінена модель</translation>
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>length of the record</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>sampling rate</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>highest frequency fitted</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>scale factor</source>
+            <translation>масштабний коефіцієнт</translation>
+        </message>
+        <message>
+            <location filename="../../gui/allan/certified.py" />
+            <source>cannot be read: {strerror}</source>
+            <translation>неможливо прочитати: {strerror}</translation>
+        </message>
+        <message>
             <location filename="../../gui/allan/demo.py" />
             <source>Allan</source>
             <translation>Аллан</translation>
@@ -7103,11 +7233,6 @@ Measure the plan fourier_400 (5° to 400° by 5°) or fourier_flip in the tab Di
         </message>
         <message>
             <location filename="../../gui/allan/findings.py" />
-            <source>Noise coefficients, 95 %</source>
-            <translation>Коефіцієнти шуму, 95 %</translation>
-        </message>
-        <message>
-            <location filename="../../gui/allan/findings.py" />
             <source>By method</source>
             <translation>За методами</translation>
         </message>
@@ -7135,11 +7260,6 @@ Measure the plan fourier_400 (5° to 400° by 5°) or fourier_flip in the tab Di
             <location filename="../../gui/allan/findings.py" />
             <source>Relative standard uncertainties; the smallest B is found four times in five.</source>
             <translation>Відносні стандартні невизначеності; найменше B знаходять у чотирьох випадках із п'яти.</translation>
-        </message>
-        <message>
-            <location filename="../../gui/allan/findings.py" />
-            <source>from … to</source>
-            <translation>від … до</translation>
         </message>
         <message>
             <location filename="../../gui/allan/findings.py" />
@@ -7180,11 +7300,6 @@ Measure the plan fourier_400 (5° to 400° by 5°) or fourier_flip in the tab Di
             <location filename="../../gui/allan/plot_view.py" />
             <source>, slope {slopes}</source>
             <translation>, нахил {slopes}</translation>
-        </message>
-        <message>
-            <location filename="../../gui/allan/plot_view.py" />
-            <source>fitted model</source>
-            <translation>оцінена модель</translation>
         </message>
         <message>
             <location filename="../../gui/allan/presenter.py" />
@@ -7359,11 +7474,6 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
             <location filename="../../gui/allan/texts.py" />
             <source>0.664 B  floor</source>
             <translation>0,664 B  дно</translation>
-        </message>
-        <message>
-            <location filename="../../gui/allan/texts.py" />
-            <source>scale factor</source>
-            <translation>масштабний коефіцієнт</translation>
         </message>
         <message>
             <location filename="../../gui/app.py" />
@@ -7800,6 +7910,16 @@ high = -360</source>
             <translation>запис пояснюється в цілому: {effect} поруч з іншими ефектами не знайдено, а додається до нього лише знайдене</translation>
         </message>
         <message>
+            <location filename="../../gui/discrepancy/trial.py" />
+            <source>Blind trial</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/trial.py" />
+            <source>case {seed}</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <location filename="../../gui/discrepancy/working.py" />
             <source>a record is compared by itself: open one file at a time</source>
             <translation>запис порівнюється сам по собі: відкривайте по одному файлу</translation>
@@ -8068,11 +8188,6 @@ high = -360</source>
             <location filename="../../gui/frames/listening.py" />
             <source>holds no bytes of a device</source>
             <translation>не містить байтів пристрою</translation>
-        </message>
-        <message>
-            <location filename="../../gui/frames/listening.py" />
-            <source>cannot be read: {strerror}</source>
-            <translation>неможливо прочитати: {strerror}</translation>
         </message>
         <message>
             <location filename="../../gui/frames/presenter.py" />
@@ -8645,7 +8760,7 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../gui/measured_file.py" />
-            <source>holds the test {test}; certificates are made of {join}</source>
+            <source>holds the test {test}; certificates are made of {join}, record</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -8712,11 +8827,6 @@ Without a command the window opens.</translation>
             <location filename="../../gui/measuring/cues.py" />
             <source>Take it anyway</source>
             <translation>Узяти попри це</translation>
-        </message>
-        <message>
-            <location filename="../../gui/measuring/cues.py" />
-            <source>Go on</source>
-            <translation>Далі</translation>
         </message>
         <message>
             <location filename="../../gui/measuring/cues.py" />
@@ -9575,28 +9685,8 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../core/allan/conventions.py" />
-            <source>rate random walk</source>
-            <translation>випадкове блукання швидкості</translation>
-        </message>
-        <message>
-            <location filename="../../core/allan/conventions.py" />
-            <source>rate ramp</source>
-            <translation>лінійний дрейф швидкості</translation>
-        </message>
-        <message>
-            <location filename="../../core/allan/conventions.py" />
             <source>velocity quantisation</source>
             <translation>квантування швидкості</translation>
-        </message>
-        <message>
-            <location filename="../../core/allan/conventions.py" />
-            <source>acceleration random walk</source>
-            <translation>випадкове блукання прискорення</translation>
-        </message>
-        <message>
-            <location filename="../../core/allan/conventions.py" />
-            <source>acceleration ramp</source>
-            <translation>лінійний дрейф прискорення</translation>
         </message>
         <message>
             <location filename="../../core/allan/detrend.py" />
@@ -10500,6 +10590,11 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record.py" />
+            <source>No effect stands out, but the bias wanders far more than in sensors of this kind: it is {scatter}, or something that the catalogue does not know.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record.py" />
             <source>Missing in the model: {named}. {closing} The rest is {scatter}.</source>
             <translation>У моделі бракує: {named}. {closing} Решта — {scatter}.</translation>
         </message>
@@ -10540,6 +10635,11 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record.py" />
+            <source>the bias wanders several times as much as in sensors of this kind: noise of this unit, or a cause that is not in the catalogue; a second record tells, for noise goes another way then</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record.py" />
             <source>named, not yet confirmed: only another record, with temperature and time going otherwise, confirms it</source>
             <translation>названо, ще не підтверджено: підтвердить лише інший запис, у якому температура і час ідуть інакше</translation>
         </message>
@@ -10572,6 +10672,91 @@ Without a command the window opens.</translation>
             <location filename="../../core/discrepancy/record_facts.py" />
             <source>the temperature is {value} degC to the last bit in {int} samples in succession from {at} s on</source>
             <translation>температура дорівнює {value} °C до останнього біта в {int} відліках поспіль від {at} s</translation>
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>Another record right behind this one</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>what settles has settled then, what drifts goes on, what jumped stays</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>Restart from cold</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>what settles after switching on begins anew, what drifts goes on</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>Temperature held after a warm-up of an hour</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>nothing that goes with temperature or with switching on is left</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>Temperature up and down by {span_c} degC at {rate} degC/min</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>both directions and a rest between tell lag, hysteresis, slope and time apart</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>Drive amplitude {drive} % higher for a third of the record</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>what goes with the drive steps, what goes with temperature or time does not</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>as before</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>on, temperature held</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>temperature held</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>up by {span_c} degC</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>down by {span_c} degC</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>{name}, {minutes} min</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/record_followups.py" />
+            <source>amplitude as it is</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../core/discrepancy/record_problem.py" />
@@ -14312,11 +14497,6 @@ Without a command the window opens.</translation>
             <location filename="../../core/records/noise_tables.py" />
             <source>random walk</source>
             <translation>випадкове блукання</translation>
-        </message>
-        <message>
-            <location filename="../../core/records/noise_tables.py" />
-            <source>bias instability</source>
-            <translation>нестабільність зміщення нуля</translation>
         </message>
         <message>
             <location filename="../../core/records/open.py" />
