@@ -34,6 +34,7 @@ from core.samples.run import Run
 NO_SETTINGS = Settings()
 RECORD = "record"
 """The test of a run whose rows are samples."""
+_TIE = 3.0
 _LINE_SHARE = 0.5
 """Part of the probability of a false name that is given to lines."""
 
@@ -104,6 +105,7 @@ def _story(
         slow = (*slow, unknown_step(engine, state, found.unknown))
     noise = replace(floor, ratios={})
     slow = doubted(slow, noise, left, engine.settings.alpha)
+    slow = tuple(_with_ties(step) for step in slow)
     doubtful = {
         "pickup": has_harmonics(engine, state),
         "telegraph": moves_between(engine, state),
@@ -150,6 +152,17 @@ def _story(
         channels=problem.run.channels,
         unit=run.unit,
     )
+
+
+def _with_ties(step: Step) -> Step:
+    """A step with all names as good as its own, even where unknown structure is better still."""
+    names = [
+        one.effect
+        for one in step.candidates
+        if one.effect != step.effect and one.evidence > step.evidence - _TIE
+    ]
+    names = dict.fromkeys((*step.indistinguishable_from, *names))
+    return replace(step, indistinguishable_from=tuple(names))
 
 
 def _in_doubt(step: Step) -> Step:
