@@ -15,13 +15,15 @@ from gui.measuring.demonstrating import Stage, Told, process, walk
 
 TITLE = "Accuracy"
 _ACCUMULATION_S = 5.0
+_SPEED = 8
+"""Of the rig: slow enough for its operator to be in time where the computer is busy."""
 _SETTLE_S = 6.0
 """Longer than the operator of the rig looks at the dial before the last degrees."""
 
 
 def play(stage: Stage) -> Told:
     """Measure the roll of the attitude unit, and put its error beside the truth."""
-    stage.connect("pointer")
+    stage.connect("pointer", speed=_SPEED)
     tab = stage.show(TITLE)
     if not isinstance(tab, AccuracyTab):
         raise TypeError(f"{TITLE} is a {type(tab).__name__}")

@@ -19,7 +19,7 @@ from gui.measuring.demonstrating import Stage, Told
 from gui.measuring.keeper import proposed_name
 
 TITLE = "Archive"
-_STATED = Conditions(g_mps2=9.8106, u_g_mps2=1e-4, head_u_arcsec=5.0)
+_STATED = Conditions(g_mps2=9.8106, u_g_mps2=1e-4, head_u_arcsec=5.0, repeatability=1e-3)
 _LIMITS = '[[limit]]\nparameter = "bias"\nunit = "code"\nlow = -395\nhigh = -360\n'
 _BEFORE = 13
 _FIRST = date(2023, 2, 14)

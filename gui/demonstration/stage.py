@@ -22,8 +22,8 @@ _SIZE = QSize(1280, 800)
 _PATIENCE_S = 240.0
 _SPEED = 20
 _PAUSE_S = 0.005
-_STILL_S = 0.15
-"""So long a window is left to itself before its picture is taken."""
+_STILL_S, _STILL_TURNS = 0.4, 30
+"""So long, and through so many turns, a window is left to itself before its picture is taken."""
 
 
 class WindowStage:
@@ -56,6 +56,7 @@ class WindowStage:
         application.window.resize(_SIZE)
         application.start()
         self.until(lambda: bool(ready), "the tabs did not come")
+        self.hush()
 
     def connect(self, device: str, **changes: object) -> Rig:
         query = {"speed": _SPEED, "seed": self._seed, "name": f"demo{time.time_ns()}", **changes}
@@ -74,6 +75,7 @@ class WindowStage:
 
     def show(self, title: str) -> object:
         tab = self.application.tabs[title]
+        self.hush()
         self.application.window.tabs.setCurrentWidget(tab.widget)
         return tab
 
@@ -106,6 +108,8 @@ class WindowStage:
         for look in THEMES:
             apply_theme(self._qt, look)
             self.rest(_STILL_S)
+            for _ in range(_STILL_TURNS):
+                self._turn()
             self.drawing(f"{name}-{look}", widget.grab().save)
 
     def drawing(self, name: str, save: Callable[[str], bool]) -> None:

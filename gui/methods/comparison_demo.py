@@ -36,9 +36,11 @@ def play(stage: Stage) -> Told:
     presenter = page.presenter
     presenter.add([*runs.values(), noise[-1]])
     stage.until(lambda: len(presenter.state.rows) == 2 * len(devices), "the files were not read")
+    # All simulated CVGs have one serial number; their folders have the names of the Live tab.
     for row in presenter.state.rows:
-        named = (name for name in devices if name in row.name or row.source == runs[name].name)
-        presenter.rename(row.key, next(named, row.name))
+        measured = (name for name in devices if row.source == runs[name].name)
+        recorded = (name for name in devices if row.name.startswith(name))
+        presenter.rename(row.key, next(measured, next(recorded, row.name)))
     stage.picture("compare-gyros")
     return Told(TITLE, (), stage.sessions)
 

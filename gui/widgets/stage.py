@@ -106,11 +106,19 @@ class Stage(QWidget):
             self.render(self._state)
         if event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange):
             # A new style sheet gives the label its plain font after this event.
-            QTimer.singleShot(0, self, self._size_detail)
+            QTimer.singleShot(0, self, self._after_style)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self._size_detail()
+
+    def _after_style(self) -> None:
+        """Size the detail again, and lay it out: that was done for its plain font meanwhile."""
+        self._size_detail()
+        layout = self.layout()
+        if layout is not None:
+            layout.invalidate()
+            layout.activate()
 
     def _size_detail(self) -> None:
         """As large as it stands below the headline, so that no line of it is cut."""
