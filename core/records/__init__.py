@@ -16,7 +16,7 @@ calibration_json
     `Calibration` <-> JSON, to the last bit.
 exports, export_c, export_c_effects, export_csv, export_mat
     `EXPORTS`: calibrations for firmware, spreadsheets and MATLAB.
-drift_exports, thermal_exports
+result_format, drift_exports, thermal_exports
     Drift tables and calibrations over temperature for firmware and spreadsheets.
 json_text
     Any result as JSON text.

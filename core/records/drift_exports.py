@@ -2,31 +2,13 @@
 
 import csv
 import io
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from pathlib import Path
+from collections.abc import Mapping
 
 from core.procedures.calibration import Provenance
 from core.procedures.drift.compensate import DriftResult
 from core.procedures.drift.export import c_header, document
-from core.records.atomic import write_bytes_atomic
 from core.records.json_text import to_json
-
-
-@dataclass(frozen=True, slots=True)
-class DriftExport:
-    """One format.
-
-    Parameters
-    ----------
-    title : for the list of formats
-    suffix : end of the file's name
-    text : (result, provenance, name) -> content; `name` becomes the names in C
-    """
-
-    title: str
-    suffix: str
-    text: Callable[[DriftResult, Provenance, str], str]
+from core.records.result_format import ResultFormat
 
 
 def _csv(result: DriftResult, _provenance: Provenance, _name: str) -> str:
@@ -41,31 +23,17 @@ def _csv(result: DriftResult, _provenance: Provenance, _name: str) -> str:
     return text.getvalue()
 
 
-DRIFT_EXPORTS: Mapping[str, DriftExport] = {
-    "c": DriftExport(
+DRIFT_EXPORTS: Mapping[str, ResultFormat[DriftResult]] = {
+    "c": ResultFormat(
         "C header with int16 table",
         ".h",
         lambda result, provenance, name: c_header(result.table, name, provenance),
     ),
-    "json": DriftExport(
+    "json": ResultFormat(
         "JSON with scores and provenance",
         ".drift.json",
         lambda result, provenance, _: to_json(document(result, provenance)),
     ),
-    "csv": DriftExport("CSV of the table", ".drift.csv", _csv),
+    "csv": ResultFormat("CSV of the table", ".drift.csv", _csv),
 }
 """Every format, by identifier."""
-
-
-def export_drift(result: DriftResult, provenance: Provenance, key: str, path: Path) -> None:
-    """Write a result in the format `key` of DRIFT_EXPORTS.
-
-    Raises
-    ------
-    FitError
-        The table does not fit 16-bit integers.
-    StorageError
-        The file could not be written.
-    """
-    text = DRIFT_EXPORTS[key].text(result, provenance, path.stem)
-    write_bytes_atomic(path, text.encode())

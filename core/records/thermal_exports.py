@@ -1,34 +1,16 @@
 """Calibrations over temperature as files: JSON, C header, CSV."""
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from pathlib import Path
+from collections.abc import Mapping
 
 from core.errors import FitError
 from core.procedures.calibration import Provenance
 from core.procedures.thermal.cycle import ThermalCalibration
 from core.procedures.thermal.export import c_header, csv_text, document, record_document
 from core.procedures.thermal.record import RecordResult
-from core.records.atomic import write_bytes_atomic
 from core.records.json_text import to_json
+from core.records.result_format import ResultFormat
 
 Found = ThermalCalibration | RecordResult
-
-
-@dataclass(frozen=True, slots=True)
-class ThermalExport:
-    """One format.
-
-    Parameters
-    ----------
-    title : for the list of formats
-    suffix : end of the file's name
-    text : (result, provenance, name) -> content; `name` becomes the names in C
-    """
-
-    title: str
-    suffix: str
-    text: Callable[[Found, Provenance, str], str]
 
 
 def _json(found: Found, provenance: Provenance, _name: str) -> str:
@@ -50,27 +32,9 @@ def _csv(found: Found, _provenance: Provenance, _name: str) -> str:
     return csv_text(found)
 
 
-THERMAL_EXPORTS: Mapping[str, ThermalExport] = {
-    "json": ThermalExport("JSON with covariance and provenance", ".thermal.json", _json),
-    "c": ThermalExport("C header", ".h", _c),
-    "csv": ThermalExport("CSV of the coefficients", ".thermal.csv", _csv),
+THERMAL_EXPORTS: Mapping[str, ResultFormat[Found]] = {
+    "json": ResultFormat("JSON with covariance and provenance", ".thermal.json", _json),
+    "c": ResultFormat("C header", ".h", _c),
+    "csv": ResultFormat("CSV of the coefficients", ".thermal.csv", _csv),
 }
 """Every format, by identifier."""
-
-
-def export_thermal(found: Found, provenance: Provenance, key: str, path: Path) -> None:
-    """Write a result in the format `key` of THERMAL_EXPORTS.
-
-    Parameters
-    ----------
-    provenance : of a record; a `ThermalCalibration` has its own
-
-    Raises
-    ------
-    FitError
-        The format cannot hold this result.
-    StorageError
-        The file could not be written.
-    """
-    text = THERMAL_EXPORTS[key].text(found, provenance, path.stem)
-    write_bytes_atomic(path, text.encode())

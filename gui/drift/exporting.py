@@ -9,7 +9,7 @@ from PySide6.QtCore import QCoreApplication
 
 from core.procedures.calibration import Provenance
 from core.procedures.drift.compensate import DriftResult
-from core.records.drift_exports import DRIFT_EXPORTS, export_drift
+from core.records.drift_exports import DRIFT_EXPORTS
 from core.records.names import safe_name
 from core.version import SOFTWARE
 from gui.drift.library import Library
@@ -45,6 +45,8 @@ def formats(draw: Callable[[Path], None]) -> tuple[ExportFormat, ...]:
 
 
 def _file(key: str) -> ExportFormat:
+    kind = DRIFT_EXPORTS[key]
+
     def write(page: Page, path: Path) -> None:
         make_folder_of(path)
         provenance = Provenance(
@@ -53,9 +55,8 @@ def _file(key: str) -> ExportFormat:
             software=SOFTWARE,
             computed_utc=datetime.now(UTC).isoformat(timespec="seconds"),
         )
-        export_drift(page.result, provenance, key, path)
+        kind.write(page.result, provenance, path)
 
-    kind = DRIFT_EXPORTS[key]
     return ExportFormat(key, kind.title, lambda page: f"{_stem(page)}{kind.suffix}", write)
 
 

@@ -9,7 +9,7 @@ from PySide6.QtCore import QCoreApplication
 from core.errors import FitError
 from core.procedures.calibration import Provenance
 from core.records.names import safe_name
-from core.records.thermal_exports import THERMAL_EXPORTS, export_thermal
+from core.records.thermal_exports import THERMAL_EXPORTS
 from core.version import SOFTWARE
 from gui.exporting import ExportFormat, make_folder_of, pictures
 from gui.thermal.working import Outcome, RecordOutcome
@@ -27,6 +27,8 @@ def formats(draw: Callable[[Path], None]) -> tuple[ExportFormat, ...]:
 
 
 def _file(key: str) -> ExportFormat:
+    kind = THERMAL_EXPORTS[key]
+
     def write(outcome: Outcome, path: Path) -> None:
         found = outcome.found if isinstance(outcome, RecordOutcome) else outcome.thermal
         if found is None:
@@ -38,9 +40,8 @@ def _file(key: str) -> ExportFormat:
             software=SOFTWARE,
             computed_utc=datetime.now(UTC).isoformat(timespec="seconds"),
         )
-        export_thermal(found, provenance, key, path)
+        kind.write(found, provenance, path)
 
-    kind = THERMAL_EXPORTS[key]
     return ExportFormat(key, kind.title, lambda outcome: f"{_stem(outcome)}{kind.suffix}", write)
 
 

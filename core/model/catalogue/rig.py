@@ -22,8 +22,8 @@ from core.units import RAD_PER_ARCSEC, RAD_PER_DEG
 _WORM = (*range(3, 25), 30, 36, 40, 45, 48, 60, 72, 90, 120, 180)
 
 
-class MountingAngle(Effect):
-    """The unit was bolted on at another angle than stated.
+class _OfMountings(Effect):
+    """Something that is another one in some mountings.
 
     Parameters
     ----------
@@ -31,20 +31,9 @@ class MountingAngle(Effect):
     by_bolting : count every bolting anew, else the same mount is the same however often
     """
 
-    id = "mounting_angle"
-    name = "Mounting angle"
-    plain = "in one mounting the unit stands turned on the shaft by a small angle"
-    equation = "psi * dU/d(head angle) in that mounting"
     needs = ("mount",)
     kind = Kind.BLOCK
     instant = False
-    tests = HEAD
-    sensors = ("accelerometer",)
-    shared = True
-    seen_as = "the misalignment differs from mounting to mounting"
-    remedy = "align the unit on the fixture anew; mount it both ways round to tell it from k_zy"
-    confused_with = ("head_ellipticity", "shaft_tilt")
-    typical = {"accelerometer": 60.0}  # noqa: RUF012
 
     def __init__(self, *mounts: int, by_bolting: bool = False) -> None:
         self._mounts, self._anew = mounts or (0,), by_bolting
@@ -54,6 +43,42 @@ class MountingAngle(Effect):
         """Which mounting, from 1."""
         return tuple((Parameter("mounting", "", ""), mount + 1.0) for mount in self._mounts)
 
+    def here(self, stimulus: Stimulus) -> FloatArray:
+        """Columns (n, k) of ones in each of the mountings."""
+        groups = setups(stimulus) if self._anew else stimulus.column("mount")
+        return indicators(groups, self._mounts)
+
+    def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
+        """Every mounting, and all but the first together."""
+        make = type(self)
+        mounts = len(levels(stimulus.column("mount")))
+        bolted = int(setups(stimulus)[-1]) + 1
+        if mounts < 2:
+            return ()
+        found: list[Effect] = [make(mount) for mount in range(mounts)]
+        if mounts > 2:
+            found.append(make(*range(1, mounts)))
+        if bolted > mounts:
+            found += [make(bolting, by_bolting=True) for bolting in range(bolted)]
+            found.append(make(*range(1, bolted), by_bolting=True))
+        return tuple(found)
+
+
+class MountingAngle(_OfMountings):
+    """The unit was bolted on at another angle than stated."""
+
+    id = "mounting_angle"
+    name = "Mounting angle"
+    plain = "in one mounting the unit stands turned on the shaft by a small angle"
+    equation = "psi * dU/d(head angle) in that mounting"
+    tests = HEAD
+    sensors = ("accelerometer",)
+    shared = True
+    seen_as = "the misalignment differs from mounting to mounting"
+    remedy = "align the unit on the fixture anew; mount it both ways round to tell it from k_zy"
+    confused_with = ("head_ellipticity", "shaft_tilt")
+    typical = {"accelerometer": 60.0}  # noqa: RUF012
+
     def parameters(self, sensor: Sensor) -> tuple[Parameter, ...]:
         """The angle, arcsec."""
         return numbered("mounting_angle", "psi", "arcsec", len(self._mounts))
@@ -61,12 +86,7 @@ class MountingAngle(Effect):
     def columns(self, stimulus: Stimulus, sensor: Sensor) -> FloatArray:
         """The slope in that mounting."""
         slope = RAD_PER_ARCSEC * per_head_angle(stimulus, sensor)
-        groups = setups(stimulus) if self._anew else stimulus.column("mount")
-        return slope[:, None] * indicators(groups, self._mounts)
-
-    def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
-        """Every mounting, and all but the first together."""
-        return _mountings(MountingAngle, stimulus)
+        return slope[:, None] * self.here(stimulus)
 
 
 class ShaftTilt(Effect):
@@ -118,35 +138,18 @@ class ShaftTilt(Effect):
         return (ShaftTilt(),)
 
 
-class RemountBias(Effect):
-    """The stress of the package changes when the unit is bolted on anew.
-
-    Parameters
-    ----------
-    mounts : numbers of the mountings
-    by_bolting : count every bolting anew
-    """
+class RemountBias(_OfMountings):
+    """The stress of the package changes when the unit is bolted on anew."""
 
     id = "remount_bias"
     name = "Re-mount bias"
     plain = "bolting on shifted the bias"
     equation = "b in that mounting"
-    needs = ("mount",)
-    kind = Kind.BLOCK
-    instant = False
     tests = STATIC
     seen_as = "an offset of one mounting, whichever way round"
     remedy = "return to the first mounting at the end; torque the screws alike"
     confused_with = ("shaft_tilt", "bias_drift", "run_bias", "bias_jump")
     typical = {"accelerometer": 0.5, "gyro": 0.02}  # noqa: RUF012
-
-    def __init__(self, *mounts: int, by_bolting: bool = False) -> None:
-        self._mounts, self._anew = mounts or (0,), by_bolting
-
-    @property
-    def shape(self) -> tuple[tuple[Parameter, float], ...]:
-        """Which mounting, from 1."""
-        return tuple((Parameter("mounting", "", ""), mount + 1.0) for mount in self._mounts)
 
     def parameters(self, sensor: Sensor) -> tuple[Parameter, ...]:
         """The shift, mg or deg/s."""
@@ -154,28 +157,7 @@ class RemountBias(Effect):
 
     def columns(self, stimulus: Stimulus, sensor: Sensor) -> FloatArray:
         """Ones in that mounting."""
-        groups = setups(stimulus) if self._anew else stimulus.column("mount")
-        return small_gain(sensor) * indicators(groups, self._mounts)
-
-    def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
-        """Every mounting, and all but the first together."""
-        return _mountings(RemountBias, stimulus)
-
-
-def _mountings(
-    make: type[MountingAngle] | type[RemountBias], stimulus: Stimulus
-) -> tuple[Effect, ...]:
-    mounts = len(levels(stimulus.column("mount")))
-    bolted = int(setups(stimulus)[-1]) + 1
-    if mounts < 2:
-        return ()
-    found: list[Effect] = [make(mount) for mount in range(mounts)]
-    if mounts > 2:
-        found.append(make(*range(1, mounts)))
-    if bolted > mounts:
-        found += [make(bolting, by_bolting=True) for bolting in range(bolted)]
-        found.append(make(*range(1, bolted), by_bolting=True))
-    return tuple(found)
+        return small_gain(sensor) * self.here(stimulus)
 
 
 class HeadHarmonic(Effect):

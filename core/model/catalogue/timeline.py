@@ -192,26 +192,17 @@ class BiasJump(Effect):
         return tuple(BiasJump(row) for row in range(2, len(stimulus) - 1))
 
 
-class RunBias(Effect):
-    """Turn-on repeatability of the bias.
+class _OfRuns(Effect):
+    """Something that is another one in some runs.
 
     Parameters
     ----------
     runs : numbers of the runs
     """
 
-    id = "run_bias"
-    name = "Run-to-run bias"
-    plain = "the bias is another one in one run"
-    equation = "b in that run"
     needs = ("run",)
     kind = Kind.BLOCK
     instant = False
-    tests = ALL
-    seen_as = "one run lies off"
-    remedy = "leave the unit powered between runs; state the turn-on repeatability"
-    confused_with = ("bias_drift", "bias_jump", "remount_bias")
-    typical = {"accelerometer": 0.5, "gyro": 0.05}  # noqa: RUF012
 
     def __init__(self, *runs: float) -> None:
         self._runs = runs or (0.0,)
@@ -220,6 +211,28 @@ class RunBias(Effect):
     def shape(self) -> tuple[tuple[Parameter, float], ...]:
         """Which run."""
         return tuple((Parameter("run", "", ""), run) for run in self._runs)
+
+    def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
+        """Every run, if there are several, and all but the first together."""
+        runs = levels(stimulus.column("run"))
+        if len(runs) < 2:
+            return ()
+        together = [type(self)(*runs[1:])] if len(runs) > 2 else []
+        return (*(type(self)(run) for run in runs), *together)
+
+
+class RunBias(_OfRuns):
+    """Turn-on repeatability of the bias."""
+
+    id = "run_bias"
+    name = "Run-to-run bias"
+    plain = "the bias is another one in one run"
+    equation = "b in that run"
+    tests = ALL
+    seen_as = "one run lies off"
+    remedy = "leave the unit powered between runs; state the turn-on repeatability"
+    confused_with = ("bias_drift", "bias_jump", "remount_bias")
+    typical = {"accelerometer": 0.5, "gyro": 0.05}  # noqa: RUF012
 
     def parameters(self, sensor: Sensor) -> tuple[Parameter, ...]:
         """One a run: mg or deg/s."""
@@ -229,42 +242,20 @@ class RunBias(Effect):
         """Ones in that run."""
         return small_gain(sensor) * indicators(stimulus.column("run"), self._runs)
 
-    def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
-        """Every run, if there are several, and all but the first together."""
-        runs = levels(stimulus.column("run"))
-        together = [RunBias(*runs[1:])] if len(runs) > 2 else []
-        return (*(RunBias(run) for run in runs), *together) if len(runs) > 1 else ()
 
-
-class RunScaleFactor(Effect):
-    """Turn-on repeatability of the scale factor.
-
-    Parameters
-    ----------
-    runs : numbers of the runs
-    """
+class RunScaleFactor(_OfRuns):
+    """Turn-on repeatability of the scale factor."""
 
     id = "run_scale_factor"
     name = "Run-to-run scale factor"
     plain = "the sensitivity is another one in one run"
     equation = "k * s * x in that run"
-    needs = ("run",)
-    kind = Kind.BLOCK
-    instant = False
     tests = TABLE
     sensors = ("gyro",)
     seen_as = "one run has another slope"
     remedy = "leave the unit powered between runs; check the speed of the table"
     confused_with = ("scale_factor_temperature",)
     typical = {"gyro": 300.0}  # noqa: RUF012
-
-    def __init__(self, *runs: float) -> None:
-        self._runs = runs or (0.0,)
-
-    @property
-    def shape(self) -> tuple[tuple[Parameter, float], ...]:
-        """Which run."""
-        return tuple((Parameter("run", "", ""), run) for run in self._runs)
 
     def parameters(self, sensor: Sensor) -> tuple[Parameter, ...]:
         """One a run: ppm."""
@@ -274,12 +265,6 @@ class RunScaleFactor(Effect):
         """The input in that run."""
         here = indicators(stimulus.column("run"), self._runs)
         return 1e-6 * gain(sensor) * own(stimulus, sensor)[:, None] * here
-
-    def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
-        """Every run, if there are several, and all but the first together."""
-        runs = levels(stimulus.column("run"))
-        together = [RunScaleFactor(*runs[1:])] if len(runs) > 2 else []
-        return (*(RunScaleFactor(run) for run in runs), *together) if len(runs) > 1 else ()
 
 
 class Pickup(Effect):

@@ -11,7 +11,7 @@ from core.procedures.calibration import Provenance
 from core.procedures.drift.compensate import DriftResult, compensate
 from core.procedures.drift.curves import curves_of
 from core.procedures.drift.simulated import simulated_turn_ons
-from core.records.drift_exports import DRIFT_EXPORTS, export_drift
+from core.records.drift_exports import DRIFT_EXPORTS
 
 WHO = Provenance("drift", "GIB-7", software="CalRig")
 
@@ -24,13 +24,13 @@ def result() -> DriftResult:
 @pytest.mark.parametrize("key", list(DRIFT_EXPORTS))
 def test_every_format_is_written(tmp_path: Path, result: DriftResult, key: str):
     path = tmp_path / f"gyro{DRIFT_EXPORTS[key].suffix}"
-    export_drift(result, WHO, key, path)
+    DRIFT_EXPORTS[key].write(result, WHO, path)
     assert path.stat().st_size > 300
 
 
 def test_the_files_hold_the_table(tmp_path: Path, result: DriftResult):
     for key, name in (("json", "a.json"), ("csv", "a.csv"), ("c", "Gyro X.h")):
-        export_drift(result, WHO, key, tmp_path / name)
+        DRIFT_EXPORTS[key].write(result, WHO, tmp_path / name)
     read = json.loads((tmp_path / "a.json").read_text(encoding="utf-8"))
     assert read["values"] == result.table.values.tolist()
     with (tmp_path / "a.csv").open(encoding="utf-8", newline="") as file:

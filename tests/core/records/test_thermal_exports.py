@@ -12,7 +12,7 @@ from core.procedures.calibration import Provenance
 from core.procedures.thermal.cycle import ThermalCalibration, calibrate_thermal
 from core.procedures.thermal.record import RecordResult, fit_record
 from core.procedures.thermal.simulated import simulated_cycle
-from core.records.thermal_exports import THERMAL_EXPORTS, export_thermal
+from core.records.thermal_exports import THERMAL_EXPORTS
 from core.samples.run import Run
 
 WHO = Provenance("thermal", "PW09", software="CalRig")
@@ -53,18 +53,18 @@ def record() -> RecordResult:
 @pytest.mark.parametrize("key", list(THERMAL_EXPORTS))
 def test_every_format_of_a_cycle_is_written(tmp_path: Path, cycle: ThermalCalibration, key: str):
     path = tmp_path / f"unit{THERMAL_EXPORTS[key].suffix}"
-    export_thermal(cycle, WHO, key, path)
+    THERMAL_EXPORTS[key].write(cycle, WHO, path)
     assert path.stat().st_size > 300
 
 
 def test_a_record_has_polynomials_and_no_c_header(tmp_path: Path, record: RecordResult):
-    export_thermal(record, WHO, "json", tmp_path / "r.json")
+    THERMAL_EXPORTS["json"].write(record, WHO, tmp_path / "r.json")
     read = json.loads((tmp_path / "r.json").read_text(encoding="utf-8"))
     assert read["provenance"]["device"] == "PW09"
     assert len(read["trends"][0]["coefficients"]) == record.trends[0].order + 1
-    export_thermal(record, WHO, "csv", tmp_path / "r.csv")
+    THERMAL_EXPORTS["csv"].write(record, WHO, tmp_path / "r.csv")
     assert (tmp_path / "r.csv").read_text(encoding="utf-8").count("\n") == 2 + record.trends[
         0
     ].order
     with pytest.raises(FitError, match="this orientation only"):
-        export_thermal(record, WHO, "c", tmp_path / "r.h")
+        THERMAL_EXPORTS["c"].write(record, WHO, tmp_path / "r.h")
