@@ -10,6 +10,7 @@ distance          the step of a tab over the whole window
 keys              the sheet of keys, read from the window
 preferences       what holds for every tab
 tour              callouts over the window on the simulated rig
+demonstration     the window plays by itself, and makes the pictures of the documentation
 commands          the subcommands of ``calrig``; no Qt
 measuring         step by step through a plan: what all measuring tabs share
 analysis          records of a list worked out together: what analysis tabs share
