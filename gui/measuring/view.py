@@ -66,6 +66,10 @@ class MeasuringView(QWidget):
         self.results = ResultsView() if results is None else results
         self.settings = settings
         self._plan_label, self._plan = QLabel(), ChoiceField()
+        # A plan of a long title does not take the stage's room; its end is in the tool tip.
+        self._plan.setSizeAdjustPolicy(
+            ChoiceField.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+        )
         self._session_label, self._session = QLabel(), QLineEdit()
         self._new = QPushButton()
         self._dialog: QFileDialog | None = None
