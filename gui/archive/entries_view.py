@@ -1,6 +1,7 @@
 """The list of what was found."""
 
 from PySide6.QtCore import (
+    QEvent,
     QItemSelection,
     QItemSelectionModel,
     QModelIndex,
@@ -84,6 +85,11 @@ class EntryTable(WideTable):
             if column == 0:  # a damaged file stands under its whole name
                 self.setColumnWidth(column, min(self.columnWidth(column), 18 * unit))
             self.horizontalHeader().setSectionResizeMode(column, mode)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.LanguageChange:
+            self._fit()
 
     def _on_selection(self) -> None:
         if self._rendering:

@@ -20,8 +20,8 @@ SHOWN = "Shown"
 _GAP = re.compile(r"\{\w+\}")
 _WIDE, _LONG = 12, 20
 """Letters outside the gaps from which these may hold joined parts, and whole sentences."""
-_NARROW_GAP = r"((?:(?![,;:] )[^\n]){0,60}?)"
-_WIDE_GAP = r"((?:(?!\. [A-Z]).)*?)"
+_NARROW_GAP = r"((?:(?![,;:] | {2})[^\n]){0,60}?)"
+_WIDE_GAP = r"((?:(?!\. [A-Z]| {2}).)*?)"
 _LONG_GAP = r"(.*?)"
 _WEAK = 4
 """With fewer letters, "{low} to {high}", gaps hold a number with its unit or one word."""

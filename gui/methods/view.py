@@ -6,10 +6,8 @@ from typing import Protocol
 from PySide6.QtCore import QEvent, QSize, Qt, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import (
-    QFrame,
     QHBoxLayout,
     QListWidget,
-    QScrollArea,
     QSplitter,
     QStackedWidget,
     QVBoxLayout,
@@ -17,6 +15,7 @@ from PySide6.QtWidgets import (
 )
 
 from core.plans.plan import Plan, Step
+from gui.widgets.side_scroll import SideScroll
 
 
 class Page(Protocol):
@@ -90,12 +89,7 @@ class MethodsView(QWidget):
     def put(self, page: Page) -> None:
         """Show a page, new or not."""
         if self._pages.indexOf(page.widget) < 0:
-            scroll = QScrollArea()
-            scroll.setWidget(page.side)
-            scroll.setWidgetResizable(True)
-            scroll.setFrameShape(QFrame.Shape.NoFrame)
-            scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-            self._sides.addWidget(scroll)
+            self._sides.addWidget(SideScroll(page.side))
             self._pages.addWidget(page.widget)
         place = self._pages.indexOf(page.widget)
         self._sides.setCurrentIndex(place)

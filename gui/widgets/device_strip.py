@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
 )
 
 from gui.languages.shown import shown_number
+from gui.widgets.fields import ChoiceField
 from gui.widgets.icons import paint_tone
 from gui.widgets.number_text import grouped
 from gui.widgets.states import DeviceStripState, LinkMark, Tone
@@ -28,10 +29,6 @@ _LINK_TONE = {
 }
 
 
-_LEAST_NEEDED = ("received_bytes", "frames")
-"""Counters that give way, in this order; faults never do."""
-
-
 class DeviceStrip(QWidget):
     """Device, port, state and counters in one row."""
 
@@ -42,7 +39,7 @@ class DeviceStrip(QWidget):
         super().__init__(parent)
         self._state = DeviceStripState()
         unit = self.fontMetrics().height()
-        self._device = QComboBox()
+        self._device = ChoiceField()
         self._device.setMinimumContentsLength(8)
         self._device.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self._device.activated.connect(self.device_chosen)
@@ -91,6 +88,7 @@ class DeviceStrip(QWidget):
         self._state = state
         baud = f"{state.baud}" if state.baud else ""
         self._port.setText(" ".join(part for part in (state.port, baud) if part))
+        self._device.setToolTip(self._port.text())
         self._sign.set_tone(_LINK_TONE[state.link])
         link = self._link_text(state.link)
         if state.rate_hz is not None and state.link is LinkMark.STREAMING:
@@ -110,20 +108,26 @@ class DeviceStrip(QWidget):
 
     def minimumSizeHint(self) -> QSize:
         size = super().minimumSizeHint()
-        narrow = sum(self._counters[name].sizeHint().width() for name in _LEAST_NEEDED)
+        narrow = sum(self._place(part) for part in self._yielding() if not part.isHidden())
         return QSize(max(0, size.width() - narrow), size.height())
 
+    def _yielding(self) -> list[QWidget]:
+        """What gives way where the row is too narrow, in this order; faults never do."""
+        parts = [self._counters["received_bytes"], self._counters["frames"], self._port]
+        return parts if self._state.temperature_c is None else [*parts, self._temperature]
+
+    def _place(self, part: QWidget) -> int:
+        return part.sizeHint().width() + self._row.spacing()
+
     def _fit(self) -> None:
-        """Where the row is too narrow, leave out the counters that are needed least."""
-        counters = [self._counters[name] for name in _LEAST_NEEDED]
-        spacing = self._row.spacing()
-        needed = self.sizeHint().width() + sum(
-            counter.sizeHint().width() + spacing for counter in counters if counter.isHidden()
-        )
-        for counter in counters:
-            counter.setVisible(needed <= self.width())
-            if counter.isHidden():
-                needed -= counter.sizeHint().width() + spacing
+        """Leave out what is needed least, as far as needed."""
+        parts = self._yielding()
+        needed = self.sizeHint().width()
+        needed += sum(self._place(part) for part in parts if part.isHidden())
+        for part in parts:
+            part.setVisible(needed <= self.width())
+            if part.isHidden():
+                needed -= self._place(part)
 
     def _link_text(self, link: LinkMark) -> str:
         return {
@@ -223,3 +227,5 @@ class _Counter(QWidget):
             font = self._number.font()
             font.setBold(value > 0)
             self._number.setFont(font)
+        # The strip asks for the new width at once.
+        self.layout().activate()

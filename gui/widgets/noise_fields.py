@@ -37,6 +37,7 @@ class NoiseFields(QWidget):
         self.source.setWordWrap(True)
         self._form = FieldForm(self.fields)
         for field in self.fields:
+            field.setMinimumWidth(10 * self.fontMetrics().height())
             field.valueChanged.connect(self._on_edited)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)

@@ -6,10 +6,8 @@ from dataclasses import dataclass
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtWidgets import (
     QFileDialog,
-    QFrame,
     QListWidget,
     QListWidgetItem,
-    QScrollArea,
     QStackedWidget,
     QVBoxLayout,
     QWidget,
@@ -20,6 +18,7 @@ from gui.widgets.action_bar import ActionBar
 from gui.widgets.findings_view import FindingsView
 from gui.widgets.hint_label import HintLabel
 from gui.widgets.panes import lay_panes
+from gui.widgets.side_scroll import SideScroll
 from gui.widgets.states import ActionBarState, FindingsState
 
 ADD, FOLDER, EXPORT = "add", "folder", "export"
@@ -105,17 +104,12 @@ class RecordsPage(QWidget):
         self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.list.setMinimumHeight(5 * unit)
         self._middle.addWidget(self.hint)
-        scroll = QScrollArea()
-        scroll.setWidget(settings)
-        scroll.setWidgetResizable(True)
-        scroll.setFrameShape(QFrame.Shape.NoFrame)
-        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         left = QWidget()
         column = QVBoxLayout(left)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
         column.addWidget(self.list, 2)
-        column.addWidget(scroll, 3)
+        column.addWidget(SideScroll(settings), 3)
         panes = ((left, 0, 17), (self._middle, 3, 35), (self.findings, 1, 29))
         lay_panes(self, panes, self.action_bar)
 

@@ -1,7 +1,7 @@
 """A table of results under its title and equation, ready for the clipboard."""
 
 from PySide6.QtCore import QEvent, QPoint, QSize, Qt
-from PySide6.QtGui import QAction, QGuiApplication, QKeyEvent, QKeySequence, QPalette
+from PySide6.QtGui import QAction, QGuiApplication, QKeyEvent, QKeySequence, QPalette, QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
@@ -119,7 +119,6 @@ class _View(WideTable):
         self.verticalHeader().setDefaultSectionSize(round(1.7 * self.fontMetrics().height()))
         header = self.horizontalHeader()
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        header.setStretchLastSection(True)
         header.setHighlightSections(False)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
@@ -137,7 +136,15 @@ class _View(WideTable):
     def show_table(self, table: TableState) -> None:
         self._model.replace(table)
         self.keep_columns(min(2, max(1, table.words)))
+        self._share_width()
         self.updateGeometry()
+
+    def _share_width(self) -> None:
+        """The last column takes the rest of the width, but never less than its words need."""
+        header = self.horizontalHeader()
+        columns = range(header.count())
+        needed = sum(max(header.sectionSizeHint(i), self.sizeHintForColumn(i)) for i in columns)
+        header.setStretchLastSection(needed <= self.viewport().width())
 
     def sizeHint(self) -> QSize:
         rows = self._model.rowCount() * self.verticalHeader().defaultSectionSize()
@@ -148,6 +155,10 @@ class _View(WideTable):
 
     def minimumSizeHint(self) -> QSize:
         return QSize(10 * self.fontMetrics().averageCharWidth(), self.sizeHint().height())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        self._share_width()
+        super().resizeEvent(event)
 
     def updateGeometries(self) -> None:
         before = self.horizontalScrollBar().maximum() > 0
@@ -200,6 +211,7 @@ class _View(WideTable):
 
     def _retranslate(self) -> None:
         self._model.replace(self._model.table)
+        self._share_width()
         self._copy.setText(self.tr("Copy"))
         self._copy_csv.setText(self.tr("Copy as CSV (1.5, …)"))
         self._copy_comma.setText(self.tr("Copy as CSV (1,5; …)"))
