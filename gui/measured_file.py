@@ -10,10 +10,13 @@ from core.certificates.measured import Measured, measured_of
 from core.errors import FormatError
 from core.procedures.calibration import Calibration
 from core.records.calibration_json import read_calibration
+from core.records.cvgcom import is_cvgcom
+from core.records.noise_study import StudyRequest
 from core.records.open import read_any
 from core.records.session.record import JOURNAL_NAME, START_NAME, read_session
 from core.records.session.start import SessionStart
 from core.samples.run import Conditions, Run
+from drivers.records import is_recording
 from gui.measuring.loading import Choice
 from gui.measuring.page import Part
 from gui.measuring.printed import printed_of
@@ -22,14 +25,20 @@ from gui.measuring.settings import MeasuringSettings
 T = TypeVar("T", bound=MeasuringSettings)
 
 
-def measured_of_file(path: Path, conditions: Conditions, device: str | None = None) -> Measured:
-    """Read a session, a run file, a legacy file or a calibration.
+def measured_of_file(
+    path: Path,
+    conditions: Conditions,
+    device: str | None = None,
+    request: StudyRequest | None = None,
+) -> Measured:
+    """Read a session, a run file, a legacy file, a calibration, or a record at rest.
 
     Parameters
     ----------
     path : recognised by what it holds
     conditions : what the laboratory states; a session and a run file know better themselves
     device : which one, where a file holds several
+    request : how a record at rest is analysed; None for what its file tells
 
     Raises
     ------
@@ -39,10 +48,15 @@ def measured_of_file(path: Path, conditions: Conditions, device: str | None = No
     if path.suffix.lower() == ".json" and path.name not in (START_NAME, JOURNAL_NAME):
         calibration = read_calibration(path)
         return measured_of(calibration, printed_of(parts_of_calibration(calibration)))
+    if path.is_file() and (is_recording(path) or is_cvgcom(path)):
+        return _of_record(path, conditions, request)
     run = read_any(path, device=device)
+    if run.test == "record":
+        return _of_record(path, conditions, request)
     if run.test not in _READERS:
         raise FormatError(
-            path, f"holds the test {run.test!r}; certificates are made of {', '.join(_READERS)}"
+            path,
+            f"holds the test {run.test!r}; certificates are made of {', '.join(_READERS)}, record",
         )
     return _READERS[run.test](path, run, conditions, device)
 
@@ -101,6 +115,12 @@ def _of_check(path: Path, run: Run, conditions: Conditions, device: str | None) 
     # Calibrations lie beside the session, each in the folder of its own.
     request = CheckRequest(settings.conditions(), settings.calibration, path.parent, settings.limit)
     return measured_of_check(check_file(path, device, request))
+
+
+def _of_record(path: Path, conditions: Conditions, request: StudyRequest | None) -> Measured:
+    from gui.allan.certified import measured_of_record
+
+    return measured_of_record(path, conditions, request or StudyRequest())
 
 
 def _settings(

@@ -13,7 +13,7 @@ conformity_json
 order_file
     Customer, item, surroundings and limits as a text file, for work without the window.
 limits
-    `judge_calibration`: the parameters of a calibration against limits, by a stated rule.
+    `judge_stated`: the numbers of the results against limits, by a stated rule.
 register
     The folder of the certificates: the next number, taken once and for all by writing the twin;
     the list of them; withdrawal.

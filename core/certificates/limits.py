@@ -1,5 +1,6 @@
 """Parameters of a calibration against limits: the statement of conformity (7.8.6)."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from core.procedures.calibration import Calibration
@@ -23,6 +24,25 @@ class ParameterLimit:
     channel: str
     nominal: float
     limit: float
+
+
+@dataclass(frozen=True, slots=True)
+class Stated:
+    """One number of the results that a limit can be set for.
+
+    Parameters
+    ----------
+    channel : name of the sensor
+    parameter, symbol, unit : which number
+    value, expanded : with its expanded uncertainty (95 %)
+    """
+
+    channel: str
+    parameter: str
+    symbol: str
+    unit: str
+    value: float
+    expanded: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,36 +82,49 @@ class Conformity:
     verdict: Verdict
 
 
-def judge_calibration(
-    calibration: Calibration, limits: tuple[ParameterLimit, ...], rule: str
+def stated_of(calibration: Calibration) -> tuple[Stated, ...]:
+    """The parameters of a calibration, sensor by sensor."""
+    return tuple(
+        Stated(channel, parameter.name, parameter.symbol, parameter.unit, float(value), float(half))
+        for channel, fit in zip(calibration.channels, calibration.fits, strict=True)
+        for parameter, value, half in zip(
+            fit.parameters, fit.values, fit.expanded(_LEVEL), strict=True
+        )
+    )
+
+
+def judge_stated(
+    stated: Sequence[Stated], limits: Sequence[ParameterLimit], rule: str
 ) -> Conformity | None:
-    """Judge a calibration; None where no limit concerns it.
+    """Judge results; None where no limit concerns them.
 
     Parameters
     ----------
+    stated : the numbers
     limits : nominal values and limits
     rule : key of `core.procedures.conformity.RULES`
     """
-    judged: list[Judged] = []
-    for channel, fit in zip(calibration.channels, calibration.fits, strict=True):
-        expanded = fit.expanded(_LEVEL)
-        for limit in limits:
-            if limit.channel not in ("", channel) or limit.parameter not in fit.names:
-                continue
-            place = fit.index(limit.parameter)
-            deviation = float(fit.values[place]) - limit.nominal
-            half = float(expanded[place])
-            judged.append(
-                Judged(
-                    channel,
-                    fit.parameters[place].symbol,
-                    fit.parameters[place].unit,
-                    deviation,
-                    half,
-                    limit.limit,
-                    judge(deviation, half, limit.limit, RULES[rule]),
-                )
-            )
+    judged = tuple(
+        _judged(one, limit, rule)
+        for channel in dict.fromkeys(one.channel for one in stated)
+        for limit in limits
+        if limit.channel in ("", channel)
+        for one in stated
+        if (one.channel, one.parameter) == (channel, limit.parameter)
+    )
     if not judged:
         return None
-    return Conformity(RULES[rule].text, tuple(judged), worst(tuple(one.verdict for one in judged)))
+    return Conformity(RULES[rule].text, judged, worst(tuple(one.verdict for one in judged)))
+
+
+def _judged(one: Stated, limit: ParameterLimit, rule: str) -> Judged:
+    deviation = one.value - limit.nominal
+    return Judged(
+        one.channel,
+        one.symbol,
+        one.unit,
+        deviation,
+        one.expanded,
+        limit.limit,
+        judge(deviation, one.expanded, limit.limit, RULES[rule]),
+    )

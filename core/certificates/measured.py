@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 
 from core.certificates.conformity_json import conformity_of_json, conformity_to_json
-from core.certificates.limits import Conformity
+from core.certificates.limits import Conformity, Stated, stated_of
 from core.fit.quantiles import student_t
 from core.procedures.calibration import Calibration, Provenance
 from core.records.calibration_json import (
@@ -20,6 +20,8 @@ from core.samples.run import Conditions
 LEVEL = 0.95
 """Coverage probability of all that a certificate states."""
 
+_TEXTS, _NUMBERS = ("channel", "parameter", "symbol", "unit"), ("value", "expanded")
+"""Members of a coefficient."""
 Printed = Mapping[str, Json]
 """A part of the results as it is printed: a table, matrices, residuals, a doubt."""
 
@@ -36,8 +38,9 @@ class Measured:
     coverage : smallest and largest coverage factor of the uncertainties; empty where no degree of
         freedom is left to state one
     printed : the results in the order of reading
-    calibration : the parameters; None for a check
+    calibration : the parameters; None for a check and for noise
     conformity : the verdict that a check brings with it; None for a calibration
+    coefficients : of noise; empty for what is none
     """
 
     provenance: Provenance
@@ -47,6 +50,19 @@ class Measured:
     printed: tuple[Printed, ...]
     calibration: Calibration | None = None
     conformity: Conformity | None = None
+    coefficients: tuple[Stated, ...] = ()
+
+    @property
+    def stated(self) -> tuple[Stated, ...]:
+        """The numbers that limits can be set for; none for a check, which brings its verdict."""
+        return self.coefficients if self.calibration is None else stated_of(self.calibration)
+
+    @property
+    def subject(self) -> str:
+        """What was measured: a kind of sensor, ``"noise"`` or ``"check"``."""
+        if self.calibration is not None:
+            return self.calibration.sensor
+        return "noise" if self.coefficients else "check"
 
 
 def measured_of(calibration: Calibration, printed: Sequence[Printed]) -> Measured:
@@ -78,6 +94,13 @@ def measured_to_json(measured: Measured) -> dict[str, Json]:
         "printed": [dict(part) for part in measured.printed],
         "calibration": None if calibration is None else json.loads(calibration_text(calibration)),
         "conformity": conformity_to_json(measured.conformity),
+        "coefficients": [
+            {
+                **{name: getattr(one, name) for name in _TEXTS},
+                **{name: number_to_json(getattr(one, name)) for name in _NUMBERS},
+            }
+            for one in measured.coefficients
+        ],
     }
 
 
@@ -108,4 +131,12 @@ def measured_of_json(found: Fields) -> Measured:
         tuple(part.data for part in found.objects("printed")),
         calibration,
         conformity_of_json(found),
+        # Certificates of the first programs know of no noise.
+        tuple(map(_stated, found.objects("coefficients"))) if "coefficients" in found.data else (),
     )
+
+
+def _stated(found: Fields) -> Stated:
+    channel, parameter, symbol, unit = (found.text(name) for name in _TEXTS)
+    value, expanded = (found.number(name) for name in _NUMBERS)
+    return Stated(channel, parameter, symbol, unit, value, expanded)

@@ -39,7 +39,7 @@ def items_of(
             QCoreApplication.translate("Archive", "Certificate"),
             enabled=one is not None and len(chosen) == 1 and can_be_certified(one),
             why_not=QCoreApplication.translate(
-                "Archive", "Choose a session, a run, an old file or a calibration."
+                "Archive", "Choose a session, a run, an old file, a record or a calibration."
             ),
         ),
         ActionItem(

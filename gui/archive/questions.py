@@ -74,7 +74,7 @@ class Details:
 def can_be_certified(found: Details) -> bool:
     """Whether a certificate can be made of the chosen entry."""
     entry = found.entries[0]
-    kinds = ("session", "calibration", "run", "legacy")
+    kinds = ("session", "calibration", "run", "legacy", "record")
     return found.path is not None and entry.kind in kinds and entry.verdict != DAMAGED
 
 

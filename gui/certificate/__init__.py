@@ -3,6 +3,7 @@
 ==================  =============================================================
 html                a certificate as sections of HTML
 parts               parts of a results page as HTML: tables, matrices, pictures
+log_plot_view       deviations over averaging times, drawn on paper
 pdf                 `Paper`: the sections laid out in pages, number on every sheet
 cutting             where the end of a page may cut a text
 draft               what is typed, and what it makes of the results

@@ -5,7 +5,7 @@ from datetime import date, datetime
 
 from core.certificates.certificate import Certificate, Order, Surroundings
 from core.certificates.laboratory import Laboratory
-from core.certificates.limits import Conformity, judge_calibration
+from core.certificates.limits import Conformity, judge_stated
 from core.certificates.measured import Measured
 from gui.certificate.html import results_html
 from gui.certificate.limits import Limits, limits_of
@@ -46,7 +46,7 @@ class Draft:
         self.order = order
         self.surroundings = surroundings
         self.rule = rule
-        self.limits = limits_of(measured.calibration, typed)
+        self.limits = limits_of(measured.stated, typed)
         self.parts: tuple[PartRow, ...] = ()
         self.write()
 
@@ -61,9 +61,8 @@ class Draft:
 
     @property
     def sensor(self) -> str:
-        """Kind of sensor, which limits are remembered for."""
-        calibration = self.measured.calibration
-        return "check" if calibration is None else calibration.sensor
+        """What was measured, which limits are remembered for."""
+        return self.measured.subject
 
     @property
     def results(self) -> tuple[str, ...]:
@@ -88,10 +87,9 @@ class Draft:
 
     def conformity(self) -> Conformity | None:
         """The statement of conformity; None without limits."""
-        calibration = self.measured.calibration
-        if calibration is None:
+        if not self.measured.stated:
             return self.measured.conformity
-        return judge_calibration(calibration, self.limits.usable, self.rule)
+        return judge_stated(self.measured.stated, self.limits.usable, self.rule)
 
     def certificate(self, laboratory: Laboratory, number: str) -> Certificate:
         """The certificate, with the parts that are printed."""

@@ -217,6 +217,13 @@ def _uncertainty(measured: Measured) -> str:
     if not measured.coverage:
         words = _t("The positions leave no degree of freedom: no uncertainty can be stated.")
         return f"<p>{escape(words)}</p>"
+    if measured.coefficients:
+        words = _t(
+            "The stated intervals are two-sided, for a coverage probability of 95 %, from the"
+            " profile of the likelihood; U is the larger of their two halves. Of what was not"
+            " detected the one-sided limit is stated (<), for the same probability."
+        )
+        return f"<p>{escape(words)}</p>"
     low, high = (
         shown_number(fixed(k, 2)) for k in (min(measured.coverage), max(measured.coverage))
     )

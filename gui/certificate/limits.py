@@ -1,10 +1,10 @@
 """Limits as they are typed -> limits that parameters are judged by."""
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from core.certificates.limits import ParameterLimit
-from core.procedures.calibration import Calibration
+from core.certificates.limits import ParameterLimit, Stated
 from gui.certificate.state import LimitRow
 from gui.certificate.texts import say
 from gui.settings import Section
@@ -52,21 +52,18 @@ class Limits:
         return {row.parameter: [row.nominal, row.limit] for row in self.rows if row.limit.strip()}
 
 
-def limits_of(calibration: Calibration | None, typed: Section) -> Limits:
-    """The table for a calibration, filled with what was typed before.
+def limits_of(stated: Sequence[Stated], typed: Section) -> Limits:
+    """The table for some results, filled with what was typed before.
 
     Parameters
     ----------
-    calibration : None for a check, which is not judged here
+    stated : the numbers; none of a check, which is not judged here
     typed : of `Limits.typed`
     """
-    if calibration is None:
-        return Limits()
     found: dict[str, list[tuple[float, str, str]]] = {}
-    for fit in calibration.fits:
-        for parameter, value in zip(fit.parameters, fit.values.tolist(), strict=True):
-            place = found.setdefault(parameter.name, [])
-            place.append((value, parameter.symbol, parameter.unit.replace("^2", "²")))
+    for one in stated:
+        place = found.setdefault(one.parameter, [])
+        place.append((one.value, one.symbol, one.unit.replace("^2", "²")))
     rows: list[LimitRow] = []
     for name, values in found.items():
         low, high = min(values)[0], max(values)[0]

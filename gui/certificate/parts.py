@@ -10,8 +10,9 @@ from PySide6.QtCore import QBuffer, QByteArray, QCoreApplication, QIODevice, QSi
 from PySide6.QtGui import QImage, QImageWriter, QPainter
 
 from core.errors import Note, Severity
+from gui.certificate.log_plot_view import LogPlot
 from gui.languages.shown import shown, shown_number
-from gui.measuring.page import CurveState, Part
+from gui.measuring.page import CurveState, LogCurveState, Part
 from gui.widgets.number_text import MINUS, aligned, value_and_uncertainty
 from gui.widgets.residual_plot import ResidualPlot
 from gui.widgets.states import MatrixState, ResidualState, TableState
@@ -35,6 +36,8 @@ def part_html(part: Part) -> tuple[str, ...]:
         return (note_html(part),)
     if isinstance(part, CurveState):
         return tuple(map(table_html, _narrow(_table_of(part))))
+    if isinstance(part, LogCurveState):
+        return (f"<h3>{escape(shown(part.title))}</h3>{_picture(LogPlot(part))}",)
     cells = "".join(f'<td valign="middle">{matrix_html(matrix)}</td>' for matrix in part)
     return (f'<table cellspacing="0" cellpadding="0"><tr>{cells}</tr></table>',)
 
@@ -182,7 +185,7 @@ def symbols(text: str) -> str:
     return _SYMBOL.sub(r"\1<sub>\2\3</sub>", text)
 
 
-def _picture(plot: ResidualPlot) -> str:
+def _picture(plot: ResidualPlot | LogPlot) -> str:
     image = QImage(_PICTURE * _SHARP, QImage.Format.Format_RGB32)
     image.setDevicePixelRatio(_SHARP)
     image.fill(Qt.GlobalColor.white)

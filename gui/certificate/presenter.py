@@ -121,7 +121,7 @@ class CertificatePresenter(QObject):
 
     def _begin(self, measured: Measured, order: Order, surroundings: Surroundings) -> None:
         rule = text_of(self._remembered, "rule", next(iter(RULES)))
-        sensor = "check" if measured.calibration is None else measured.calibration.sensor
+        sensor = measured.subject
         limits = self._remembered.get(f"limits {sensor}")
         try:
             self._draft = Draft(

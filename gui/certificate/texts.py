@@ -6,7 +6,7 @@ from core.certificates.register import Issued
 from core.procedures.conformity import RULES, Verdict
 from gui.certificate.html import verdict_words
 from gui.languages.shown import shown
-from gui.measuring.page import CurveState, Part
+from gui.measuring.page import CurveState, LogCurveState, Part
 from gui.widgets.states import ActionItem, ResidualState, TableState
 
 
@@ -52,7 +52,7 @@ def title_of(part: Part) -> str:
         return shown(part.title)
     if isinstance(part, ResidualState):
         return say("Residuals by position")
-    if isinstance(part, CurveState):
+    if isinstance(part, CurveState | LogCurveState):
         return shown(part.title)
     if isinstance(part, tuple):
         return say("Matrices {names}").format(

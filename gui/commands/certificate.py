@@ -3,10 +3,10 @@
     calrig certificate SESSION --laboratory lab.json --order order.toml --out CERTIFICATES
     calrig certificate --template laboratory.toml
 
-FILE is a session's folder, a run file, a file of the old programs, or a calibration (JSON). The
-laboratory's file is the one that the window keeps, laboratory.json, or a laboratory.toml that was
-filled in: --template writes one with comments. order.toml holds customer, item, surroundings and
-limits:
+FILE is a session's folder, a run file, a file of the old programs, a calibration (JSON), or a
+record at rest, whose noise (N, B, K, Q) is then certified. The laboratory's file is the one that
+the window keeps, laboratory.json, or a laboratory.toml that was filled in: --template writes one
+with comments. order.toml holds customer, item, surroundings and limits:
 
     [order]
     customer = "Plant No. 5, Kharkiv"
@@ -53,6 +53,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--order", type=Path, metavar="TOML", help="customer, item, limits")
     parser.add_argument("--out", type=Path, default=Path("certificates"), metavar="FOLDER")
     parser.add_argument("--device", help="which one, where a file holds several")
+    parser.add_argument("--channel", default="", help="of a record: whose noise is certified")
+    parser.add_argument(
+        "--scale-factor",
+        type=float,
+        default=0.0,
+        metavar="K",
+        help="of a record: output for 1 deg/s (1 m/s^2)",
+    )
     parser.add_argument("--language", default="en", choices=["en", "uk"], help="of the words")
     parser.add_argument(
         "--draft", action="store_true", help="write PDF and HTML only; no number is given"
@@ -76,10 +84,11 @@ def run(args: argparse.Namespace) -> Answer:
         os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 
     from core.certificates.certificate import Certificate
-    from core.certificates.limits import judge_calibration
+    from core.certificates.limits import judge_stated
     from core.certificates.order_file import OrderFile, read_order
     from core.certificates.register import Register
     from core.procedures.conformity import Verdict
+    from core.records.noise_study import StudyRequest
     from gui.certificate.draft import day_of_moment
     from gui.certificate.html import results_html
     from gui.certificate.issuing import issue, write_files
@@ -91,7 +100,8 @@ def run(args: argparse.Namespace) -> Answer:
     languages = Languages(args.language)
     laboratory = open_laboratory(args.laboratory)
     stated = OrderFile() if args.order is None else read_order(args.order)
-    measured = measured_of_file(args.file, _conditions(args), args.device)
+    request = StudyRequest(channel=args.channel, scale_factor=args.scale_factor)
+    measured = measured_of_file(args.file, _conditions(args), args.device, request)
     origin = measured.provenance
     order = replace(
         stated.order,
@@ -100,8 +110,8 @@ def run(args: argparse.Namespace) -> Answer:
         issued=stated.order.issued or date.today().isoformat(),
     )
     conformity = measured.conformity
-    if measured.calibration is not None:
-        conformity = judge_calibration(measured.calibration, stated.limits, stated.rule)
+    if measured.stated:
+        conformity = judge_stated(measured.stated, stated.limits, stated.rule)
     draft = Certificate("", laboratory, order, measured, stated.surroundings, conformity)
     results, folder = results_html(measured.printed), args.laboratory.parent
     args.out.mkdir(parents=True, exist_ok=True)

@@ -28,7 +28,29 @@ class CurveState:
     joined: bool = True
 
 
-Part = TableState | tuple[MatrixState, ...] | ResidualState | CurveState | Note
+@dataclass(frozen=True, slots=True, eq=False)
+class LogCurveState:
+    """Points with their limits over a quantity, both axes logarithmic, and lines of a model.
+
+    Parameters
+    ----------
+    title : over the plot
+    x_label, y_label : with units
+    x, y, low, high : points and the limits of their intervals
+    lines : name, x, y of each
+    """
+
+    title: str
+    x_label: str
+    y_label: str
+    x: tuple[float, ...]
+    y: tuple[float, ...]
+    low: tuple[float, ...]
+    high: tuple[float, ...]
+    lines: tuple[tuple[str, tuple[float, ...], tuple[float, ...]], ...] = ()
+
+
+Part = TableState | tuple[MatrixState, ...] | ResidualState | CurveState | LogCurveState | Note
 """What can stand on the page: a table, matrices in one row, a plot, a doubt."""
 
 

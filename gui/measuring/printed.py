@@ -5,8 +5,11 @@ from collections.abc import Iterable
 from core.certificates.measured import Printed
 from core.errors import Note, Severity
 from core.records.json_fields import Fields, Json, numbers_to_json
-from gui.measuring.page import CurveState, Part
+from gui.measuring.page import CurveState, LogCurveState, Part
 from gui.widgets.states import MatrixState, ResidualSeries, ResidualState, TableState
+
+_OF_LOG = ("x", "y", "low", "high")
+"""Points of a curve with logarithmic axes."""
 
 
 def printed_of(parts: Iterable[Part]) -> tuple[Printed, ...]:
@@ -67,6 +70,18 @@ def _printed(part: Part) -> dict[str, Json]:
                 for name, x, y, u95 in part.series
             ],
             "joined": part.joined,
+        }
+    if isinstance(part, LogCurveState):
+        return {
+            "kind": "log_curve",
+            "title": part.title,
+            "x_label": part.x_label,
+            "y_label": part.y_label,
+            **{name: numbers_to_json(getattr(part, name)) for name in _OF_LOG},
+            "lines": [
+                {"name": name, "x": numbers_to_json(x), "y": numbers_to_json(y)}
+                for name, x, y in part.lines
+            ],
         }
     if isinstance(part, Note):
         return {
@@ -144,6 +159,24 @@ def _curve(found: Fields) -> CurveState:
     )
 
 
+def _log_curve(found: Fields) -> LogCurveState:
+    count = len(found.items("x"))
+    x, y, low, high = (tuple(found.numbers(name, count).tolist()) for name in _OF_LOG)
+    return LogCurveState(
+        found.text("title"),
+        found.text("x_label"),
+        found.text("y_label"),
+        x,
+        y,
+        low,
+        high,
+        tuple(
+            (one.text("name"), tuple(one.numbers("x").tolist()), tuple(one.numbers("y").tolist()))
+            for one in found.objects("lines")
+        ),
+    )
+
+
 def _note(found: Fields) -> Note:
     word = found.text("severity")
     if word not in {severity.value for severity in Severity}:
@@ -178,6 +211,7 @@ _PARTS = {
     "table": _table,
     "residuals": _residuals,
     "curve": _curve,
+    "log_curve": _log_curve,
     "note": _note,
     "matrices": _matrices,
 }

@@ -686,7 +686,7 @@
         <message>
             <location filename="../../gui/certificate/html.py" />
             <source>The stated intervals are two-sided, for a coverage probability of 95 %, from the profile of the likelihood; U is the larger of their two halves. Of what was not detected the one-sided limit is stated (&lt;), for the same probability.</source>
-            <translation type="unfinished" />
+            <translation>Наведені інтервали двобічні, для ймовірності охоплення 95 %, за профілем правдоподібності; U - більша з двох їхніх половин. Для того, чого не виявлено, наведено однобічну межу (&lt;) для тієї самої ймовірності.</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/html.py" />
@@ -1824,6 +1824,11 @@
         </message>
         <message>
             <location filename="../../gui/discrepancy/findings_view.py" />
+            <source>No series that was tried is likely to tell these names apart.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/findings_view.py" />
             <source>Keep this plan</source>
             <translation>Зберегти цей план</translation>
         </message>
@@ -1851,6 +1856,11 @@
             <location filename="../../gui/discrepancy/findings_view.py" />
             <source>Measure next ({count})</source>
             <translation>Виміряти далі ({count})</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/findings_view.py" />
+            <source>Blind trial</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../gui/discrepancy/findings_view.py" />
@@ -4247,7 +4257,7 @@
         <message>
             <location filename="../../gui/archive/actions.py" />
             <source>Choose a session, a run, an old file, a record or a calibration.</source>
-            <translation type="unfinished" />
+            <translation>Виберіть сеанс, файл вимірювання, старий файл, запис або калібрування.</translation>
         </message>
         <message>
             <location filename="../../gui/archive/actions.py" />
@@ -5119,6 +5129,11 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
+            <source>The case is sealed: answer first.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/scene.py" />
             <source>Find proposes effects first.</source>
             <translation>Спершу «Знайти» пропонує ефекти.</translation>
         </message>
@@ -5174,6 +5189,11 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
+            <source>Blind Trial</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/scene.py" />
             <source>Its gap is {gap} noise floors. Find (Space) looks for the reason.</source>
             <translation>Її розбіжність {gap} рівнів шуму. «Знайти» (Space) шукає причину.</translation>
         </message>
@@ -5193,9 +5213,64 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
             <translation>Жоден регресор не свідчить проти простої моделі</translation>
         </message>
         <message>
+            <location filename="../../gui/discrepancy/trial_presenter.py" />
+            <source>Case {number}</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/trial_presenter.py" />
+            <source>right</source>
+            <translation>праворуч</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/trial_presenter.py" />
+            <source>wrong</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/trial_presenter.py" />
+            <source>Hidden: {names}</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/trial_presenter.py" />
+            <source>You: {names} ({verdict})</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/trial_presenter.py" />
+            <source>Program: {names} ({verdict})</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/trial_presenter.py" />
+            <source>The seal is the SHA-256 of this text: {key}</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/trial_presenter.py" />
+            <source>No case was opened yet.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/trial_presenter.py" />
+            <source>Of {cases} cases you had {operator} right, the program {program}.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/trial_presenter.py" />
+            <source>nothing is missing</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <location filename="../../gui/discrepancy/words.py" />
             <source>Reading the rows …</source>
             <translation>Читання рядків…</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/words.py" />
+            <source>Measuring a sealed case …</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../gui/discrepancy/words.py" />
@@ -7029,12 +7104,12 @@ Measure the plan fourier_400 (5° to 400° by 5°) or fourier_flip in the tab Di
         <message>
             <location filename="../../gui/allan/certified.py" />
             <source>noise of a record at rest: likelihood of its spectrum and Allan deviation, terms of IEEE Std 952 and IEEE Std 1431, practicum (6.3), (6.4)</source>
-            <translation type="unfinished" />
+            <translation>шум запису в спокої: правдоподібність спектра і девіація Аллана, терміни IEEE Std 952 та IEEE Std 1431, практикум (6.3), (6.4)</translation>
         </message>
         <message>
             <location filename="../../gui/allan/certified.py" />
             <source>angle random walk</source>
-            <translation type="unfinished" />
+            <translation>випадкове блукання кута</translation>
         </message>
         <message>
             <location filename="../../gui/allan/certified.py" />
@@ -7054,12 +7129,12 @@ Measure the plan fourier_400 (5° to 400° by 5°) or fourier_flip in the tab Di
         <message>
             <location filename="../../gui/allan/certified.py" />
             <source>angle quantization</source>
-            <translation type="unfinished" />
+            <translation>квантування кута</translation>
         </message>
         <message>
             <location filename="../../gui/allan/certified.py" />
             <source>velocity random walk</source>
-            <translation type="unfinished" />
+            <translation>випадкове блукання швидкості</translation>
         </message>
         <message>
             <location filename="../../gui/allan/certified.py" />
@@ -7074,7 +7149,7 @@ Measure the plan fourier_400 (5° to 400° by 5°) or fourier_flip in the tab Di
         <message>
             <location filename="../../gui/allan/certified.py" />
             <source>velocity quantization</source>
-            <translation type="unfinished" />
+            <translation>квантування швидкості</translation>
         </message>
         <message>
             <location filename="../../gui/allan/certified.py" />
@@ -7084,32 +7159,32 @@ Measure the plan fourier_400 (5° to 400° by 5°) or fourier_flip in the tab Di
         <message>
             <location filename="../../gui/allan/certified.py" />
             <source>Allan deviation with its 95 % limits</source>
-            <translation type="unfinished" />
+            <translation>Девіація Аллана з межами 95 %</translation>
         </message>
         <message>
             <location filename="../../gui/allan/certified.py" />
             <source>averaging time τ, s</source>
-            <translation type="unfinished" />
+            <translation>час усереднення τ, s</translation>
         </message>
         <message>
             <location filename="../../gui/allan/certified.py" />
             <source>no term was fitted</source>
-            <translation type="unfinished" />
+            <translation>жодного члена не визначено</translation>
         </message>
         <message>
             <location filename="../../gui/allan/certified.py" />
             <source>{name}: its noise cannot be certified: {why}</source>
-            <translation type="unfinished" />
+            <translation>{name}: шум не можна засвідчити: {why}</translation>
         </message>
         <message>
             <location filename="../../gui/allan/certified.py" />
             <source>term (IEEE 952, IEEE 1431)</source>
-            <translation type="unfinished" />
+            <translation>термін (IEEE 952, IEEE 1431)</translation>
         </message>
         <message>
             <location filename="../../gui/allan/certified.py" />
             <source>stated as</source>
-            <translation type="unfinished" />
+            <translation>подано як</translation>
         </message>
         <message>
             <location filename="../../gui/allan/certified.py" />
@@ -7124,17 +7199,17 @@ Measure the plan fourier_400 (5° to 400° by 5°) or fourier_flip in the tab Di
         <message>
             <location filename="../../gui/allan/certified.py" />
             <source>length of the record</source>
-            <translation type="unfinished" />
+            <translation>тривалість запису</translation>
         </message>
         <message>
             <location filename="../../gui/allan/certified.py" />
             <source>sampling rate</source>
-            <translation type="unfinished" />
+            <translation>частота вибірки</translation>
         </message>
         <message>
             <location filename="../../gui/allan/certified.py" />
             <source>highest frequency fitted</source>
-            <translation type="unfinished" />
+            <translation>найвища апроксимована частота</translation>
         </message>
         <message>
             <location filename="../../gui/allan/certified.py" />
@@ -7547,15 +7622,6 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         </message>
         <message>
             <location filename="../../gui/archive/demo.py" />
-            <source>[[limit]]
-parameter = "bias"
-unit = "code"
-low = -395
-high = -360</source>
-            <translation type="unfinished" />
-        </message>
-        <message>
-            <location filename="../../gui/archive/demo.py" />
             <source>the archive did not list all</source>
             <translation type="unfinished" />
         </message>
@@ -7917,6 +7983,11 @@ high = -360</source>
         <message>
             <location filename="../../gui/discrepancy/trial.py" />
             <source>case {seed}</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/trial_presenter.py" />
+            <source>blind trial</source>
             <translation type="unfinished" />
         </message>
         <message>
@@ -8761,7 +8832,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../gui/measured_file.py" />
             <source>holds the test {test}; certificates are made of {join}, record</source>
-            <translation type="unfinished" />
+            <translation>містить випробування {test}; сертифікати складають із {join}, record</translation>
         </message>
         <message>
             <location filename="../../gui/measured_file.py" />
@@ -16234,6 +16305,39 @@ Without a command the window opens.</translation>
             <location filename="../../gui/live/tools_view.py" />
             <source>Display only: the record is never decimated</source>
             <translation>Лише для показу: запис ніколи не проріджується</translation>
+        </message>
+    </context>
+    <context>
+        <name>TrialView</name>
+        <message>
+            <location filename="../../gui/discrepancy/trial_view.py" />
+            <source>Sealed by SHA-256: {seal}</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/trial_view.py" />
+            <source>Your answer: {names}</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/trial_view.py" />
+            <source>Look at the residuals against each regressor, tick what you think is hidden (nothing, one effect or two), and reveal.</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/trial_view.py" />
+            <source>Names to choose from</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/trial_view.py" />
+            <source>Reveal</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/trial_view.py" />
+            <source>Next Case</source>
+            <translation type="unfinished" />
         </message>
     </context>
     <context>

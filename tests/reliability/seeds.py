@@ -13,7 +13,7 @@ from core.archive.store import Archive
 from core.arrays import frozen, frozen_int
 from core.certificates.certificate import Certificate, Order, Surroundings, certificate_text
 from core.certificates.laboratory import Laboratory, Standard, write_laboratory
-from core.certificates.limits import ParameterLimit, judge_calibration
+from core.certificates.limits import ParameterLimit, judge_stated, stated_of
 from core.certificates.measured import measured_of
 from core.plans.plan import load_plans
 from core.procedures.calibration import Calibration
@@ -161,7 +161,7 @@ def certificate() -> bytes:
             order=Order(customer="Plant", item="inclinometer", serial="17", issued="2026-11-22"),
             measured=measured_of(calibration, ({"kind": "note", "text": "all is well"},)),
             surroundings=Surroundings(22.5, 41.0),
-            conformity=judge_calibration(calibration, limits, "guarded"),
+            conformity=judge_stated(stated_of(calibration), limits, "guarded"),
         )
     ).encode()
 

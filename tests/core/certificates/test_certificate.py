@@ -14,7 +14,7 @@ from core.certificates.certificate import (
     parse_certificate,
 )
 from core.certificates.laboratory import Standard
-from core.certificates.limits import ParameterLimit, judge_calibration
+from core.certificates.limits import ParameterLimit, judge_stated, stated_of
 from core.errors import FormatError
 
 
@@ -22,7 +22,7 @@ def test_the_twin_tells_the_same_to_the_last_bit(certificate: Certificate):
     limits = (ParameterLimit("scale_factor", "", 1000.0, 5.0),)
     calibration = certificate.measured.calibration
     assert calibration is not None
-    judged = judge_calibration(calibration, limits, "guarded")
+    judged = judge_stated(stated_of(calibration), limits, "guarded")
     issued = replace(certificate, conformity=judged)
     text = certificate_text(issued)
     back = parse_certificate(text, "twin.json")

@@ -10,7 +10,7 @@ from PySide6.QtGui import QColor, QImage, QPainter
 
 from core.certificates.certificate import Certificate, Order, Surroundings
 from core.certificates.laboratory import Laboratory, Standard
-from core.certificates.limits import ParameterLimit, judge_calibration
+from core.certificates.limits import ParameterLimit, judge_stated, stated_of
 from core.certificates.measured import measured_of
 from core.errors import Note, Severity, StorageError
 from core.fit.quantiles import student_t
@@ -84,7 +84,7 @@ def certificate(calibration: Calibration) -> Certificate:
         order=Order(customer="Plant", serial="MS9002 <3>", calibrated="2026-11-20"),
         measured=measured_of(calibration, printed_of(parts_of(calibration))),
         surroundings=Surroundings(22.5, 41.0),
-        conformity=judge_calibration(calibration, limits, "guarded"),
+        conformity=judge_stated(stated_of(calibration), limits, "guarded"),
     )
 
 

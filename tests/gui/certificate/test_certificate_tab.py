@@ -16,6 +16,7 @@ from core.errors import FormatError, Severity
 from gui.certificate.presenter import CertificatePresenter
 from gui.certificate.tab import CertificateTab
 from gui.messages import Messages
+from tests.gui.allan.conftest import cvg_record
 from tests.gui.certificate.conftest import TRIAD
 
 TODAY = date.today().isoformat()
@@ -183,6 +184,28 @@ def test_a_file_becomes_a_draft_and_a_bad_one_is_told(
     tab.load(bad)
     qtbot.waitUntil(lambda: "bad.txt" in banner(tab))
     assert tab.presenter.state.subject
+
+
+def test_a_record_at_rest_becomes_a_draft_of_its_noise_with_limits_and_pages(
+    tab: CertificateTab, qtbot: QtBot, tmp_path: Path
+):
+    tab.load(cvg_record(tmp_path, "25-143", 1))
+    presenter = tab.presenter
+    qtbot.waitUntil(lambda: presenter.state.order.serial == "25-143", timeout=20_000)
+    symbols = {row.parameter: row.symbol for row in presenter.state.limits}
+    assert symbols["random_walk"] == "N"
+    assert {"bias_instability", "rate_random_walk"} <= set(symbols)
+    tab.view.pages.setCurrentIndex(1)
+    place = list(symbols).index("random_walk")
+    for limit, verdict in (("0,05", "PASS"), ("0.01", "FAIL")):
+        tab.view.limits.table.item(place, 2).setText(limit)
+        assert presenter.state.verdict == verdict
+    titles = [part.title for part in presenter.state.parts]
+    assert titles[:2] == ["Noise coefficients, 95 %", "Allan deviation with its 95 % limits"]
+    fill(presenter)
+    issue(tab, qtbot)
+    twin, *_ = Register(presenter.folder).entries()
+    assert twin.verdict == "fail"
 
 
 def test_limits_judge_and_are_remembered(tab: CertificateTab, triad: Measured):
