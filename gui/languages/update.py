@@ -1,7 +1,7 @@
 """Bring the translations up to the sources: ``python -m gui.languages.update``.
 
-New texts are added as unfinished and told, texts that are gone are dropped, the rest stays as it
-is; then Qt's ``lrelease`` makes the ``.qm`` that the program loads. ``--check`` changes nothing
+New texts are added as unfinished, texts that are gone are dropped, the rest stays as it is; what
+lacks a translation is told for each language, with its place, and counted at the end. Then Qt's ``lrelease`` makes the ``.qm`` that the program loads. ``--check`` changes nothing
 and ends with 1 if something would have been changed.
 """
 
@@ -75,18 +75,21 @@ def main(arguments: Sequence[str]) -> int:
     options = parser.parse_args(arguments)
     texts, complaints = all_texts(Sources(ROOT, FOLDERS))
     lines = [f"cannot be followed: {one}" for one in complaints]
+    counts: list[str] = []
     changed = False
     for path in ts_files():
         language = language_of(path)
         messages = merged(texts, read_ts(path))
-        lines += [f"{language}: {m.place}: {m.source!r}" for m in messages if not m.translation]
+        missing = [m for m in messages if not m.translation]
+        lines += [f"{language}: {m.place}: {m.source!r}" for m in missing]
+        counts.append(f"{language}: {len(missing)} of {len(messages)} texts lack a translation")
         if ts_text(language, messages) != path.read_text(encoding="utf-8"):
             changed = True
             if not options.check:
                 write_ts(path, language, messages)
         if not options.check:
             release(path, path.with_suffix(".qm"))
-    sys.stdout.write("".join(f"{line}\n" for line in lines))
+    sys.stdout.write("".join(f"{line}\n" for line in (*lines, *counts)))
     return int(bool(complaints) or (options.check and changed))
 
 

@@ -1825,7 +1825,7 @@
         <message>
             <location filename="../../gui/discrepancy/findings_view.py" />
             <source>No series that was tried is likely to tell these names apart.</source>
-            <translation type="unfinished" />
+            <translation>Ни одна из проверенных серий вряд ли различит эти названия.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/findings_view.py" />
@@ -1860,7 +1860,7 @@
         <message>
             <location filename="../../gui/discrepancy/findings_view.py" />
             <source>Blind trial</source>
-            <translation type="unfinished" />
+            <translation>Слепое испытание</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/findings_view.py" />
@@ -5130,7 +5130,7 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
             <source>The case is sealed: answer first.</source>
-            <translation type="unfinished" />
+            <translation>Случай запечатан: сначала ответьте.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
@@ -5190,7 +5190,7 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
             <source>Blind Trial</source>
-            <translation type="unfinished" />
+            <translation>Слепое испытание</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
@@ -5215,7 +5215,7 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
             <source>Case {number}</source>
-            <translation type="unfinished" />
+            <translation>Случай {number}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
@@ -5225,42 +5225,42 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
             <source>wrong</source>
-            <translation type="unfinished" />
+            <translation>неверно</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
             <source>Hidden: {names}</source>
-            <translation type="unfinished" />
+            <translation>Скрыто: {names}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
             <source>You: {names} ({verdict})</source>
-            <translation type="unfinished" />
+            <translation>Вы: {names} ({verdict})</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
             <source>Program: {names} ({verdict})</source>
-            <translation type="unfinished" />
+            <translation>Программа: {names} ({verdict})</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
             <source>The seal is the SHA-256 of this text: {key}</source>
-            <translation type="unfinished" />
+            <translation>Печать — это SHA-256 такого текста: {key}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
             <source>No case was opened yet.</source>
-            <translation type="unfinished" />
+            <translation>Ни один случай ещё не открыт.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
             <source>Of {cases} cases you had {operator} right, the program {program}.</source>
-            <translation type="unfinished" />
+            <translation>Из {cases} [случая|случаев|случаев] вы угадали {operator}, программа — {program}.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
             <source>nothing is missing</source>
-            <translation type="unfinished" />
+            <translation>ничего не недостаёт</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/words.py" />
@@ -5270,7 +5270,7 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         <message>
             <location filename="../../gui/discrepancy/words.py" />
             <source>Measuring a sealed case …</source>
-            <translation type="unfinished" />
+            <translation>Измерение запечатанного случая …</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/words.py" />
@@ -5371,6 +5371,11 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
             <location filename="../../gui/discrepancy/words.py" />
             <source>Time</source>
             <translation>Время</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/words.py" />
+            <source>Time since the mounting</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../gui/discrepancy/words.py" />
@@ -7623,12 +7628,12 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         <message>
             <location filename="../../gui/archive/demo.py" />
             <source>the archive did not list all</source>
-            <translation type="unfinished" />
+            <translation>архив показал не всё</translation>
         </message>
         <message>
             <location filename="../../gui/archive/demo.py" />
             <source>the archive did not answer</source>
-            <translation type="unfinished" />
+            <translation>архив не ответил</translation>
         </message>
         <message>
             <location filename="../../gui/archive/library.py" />
@@ -7978,17 +7983,17 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         <message>
             <location filename="../../gui/discrepancy/trial.py" />
             <source>Blind trial</source>
-            <translation type="unfinished" />
+            <translation>Слепое испытание</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial.py" />
             <source>case {seed}</source>
-            <translation type="unfinished" />
+            <translation>случай {seed}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
             <source>blind trial</source>
-            <translation type="unfinished" />
+            <translation>слепое испытание</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/working.py" />
@@ -9307,17 +9312,17 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../gui/methods/comparison_demo.py" />
             <source>the files were not read</source>
-            <translation type="unfinished" />
+            <translation>файлы не прочитаны</translation>
         </message>
         <message>
             <location filename="../../gui/methods/comparison_demo.py" />
             <source>there is no noise to compare</source>
-            <translation type="unfinished" />
+            <translation>нет шума для сравнения</translation>
         </message>
         <message>
             <location filename="../../gui/methods/comparison_demo.py" />
             <source>play Allan first</source>
-            <translation type="unfinished" />
+            <translation>сначала проиграйте часть Allan</translation>
         </message>
         <message>
             <location filename="../../gui/methods/demo.py" />
@@ -10662,7 +10667,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/discrepancy/record.py" />
             <source>No effect stands out, but the bias wanders far more than in sensors of this kind: it is {scatter}, or something that the catalogue does not know.</source>
-            <translation type="unfinished" />
+            <translation>Ни один эффект не выделяется, но нулевой сигнал блуждает намного сильнее, чем у датчиков этого вида: это {scatter} или что-то, чего каталог не знает.</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record.py" />
@@ -10707,7 +10712,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/discrepancy/record.py" />
             <source>the bias wanders several times as much as in sensors of this kind: noise of this unit, or a cause that is not in the catalogue; a second record tells, for noise goes another way then</source>
-            <translation type="unfinished" />
+            <translation>нулевой сигнал блуждает в несколько раз сильнее, чем у датчиков этого вида: шум этого изделия или причина, которой нет в каталоге; это покажет вторая запись, ибо шум тогда пойдёт иначе</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record.py" />
@@ -10747,87 +10752,87 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>Another record right behind this one</source>
-            <translation type="unfinished" />
+            <translation>Ещё одна запись сразу за этой</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>what settles has settled then, what drifts goes on, what jumped stays</source>
-            <translation type="unfinished" />
+            <translation>то, что устанавливается, тогда уже установилось, то, что дрейфует, продолжается, то, что скачком изменилось, остаётся</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>Restart from cold</source>
-            <translation type="unfinished" />
+            <translation>Запуск из холодного состояния</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>what settles after switching on begins anew, what drifts goes on</source>
-            <translation type="unfinished" />
+            <translation>то, что устанавливается после включения, начнётся снова, то, что дрейфует, продолжится</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>Temperature held after a warm-up of an hour</source>
-            <translation type="unfinished" />
+            <translation>Постоянная температура после часа прогрева</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>nothing that goes with temperature or with switching on is left</source>
-            <translation type="unfinished" />
+            <translation>не остаётся ничего, что следует за температурой или включением</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>Temperature up and down by {span_c} degC at {rate} degC/min</source>
-            <translation type="unfinished" />
+            <translation>Температура вверх и вниз на {span_c} °C со скоростью {rate} °C/min</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>both directions and a rest between tell lag, hysteresis, slope and time apart</source>
-            <translation type="unfinished" />
+            <translation>оба направления с паузой между ними различают запаздывание, гистерезис, наклон и время</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>Drive amplitude {drive} % higher for a third of the record</source>
-            <translation type="unfinished" />
+            <translation>Амплитуда возбуждения на {drive} % больше в течение трети записи</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>what goes with the drive steps, what goes with temperature or time does not</source>
-            <translation type="unfinished" />
+            <translation>то, что следует за возбуждением, скачком изменится, а то, что следует за температурой или временем, — нет</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>as before</source>
-            <translation type="unfinished" />
+            <translation>как раньше</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>on, temperature held</source>
-            <translation type="unfinished" />
+            <translation>включено, температура постоянна</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>temperature held</source>
-            <translation type="unfinished" />
+            <translation>температура постоянна</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>up by {span_c} degC</source>
-            <translation type="unfinished" />
+            <translation>вверх на {span_c} °C</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>down by {span_c} degC</source>
-            <translation type="unfinished" />
+            <translation>вниз на {span_c} °C</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>{name}, {minutes} min</source>
-            <translation type="unfinished" />
+            <translation>{name}, {minutes} min</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>amplitude as it is</source>
-            <translation type="unfinished" />
+            <translation>амплитуда без изменений</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_problem.py" />
@@ -10887,7 +10892,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/discrepancy/steps.py" />
             <source>{text}: the output goes to and fro between two levels, {abs} {unit} apart, {changes} times</source>
-            <translation type="unfinished" />
+            <translation>{text}: выход переходит между двумя уровнями с разницей {abs} {unit}, переходов: {changes}</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/steps.py" />
@@ -10912,7 +10917,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/discrepancy/steps.py" />
             <source>two levels</source>
-            <translation type="unfinished" />
+            <translation>два уровня</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/verdict.py" />
@@ -16312,32 +16317,32 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../gui/discrepancy/trial_view.py" />
             <source>Sealed by SHA-256: {seal}</source>
-            <translation type="unfinished" />
+            <translation>Запечатано SHA-256: {seal}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_view.py" />
             <source>Your answer: {names}</source>
-            <translation type="unfinished" />
+            <translation>Ваш ответ: {names}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_view.py" />
             <source>Look at the residuals against each regressor, tick what you think is hidden (nothing, one effect or two), and reveal.</source>
-            <translation type="unfinished" />
+            <translation>Посмотрите остатки по каждому регрессору, отметьте, что, по-вашему, скрыто (ничего, один эффект или два), и откройте.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_view.py" />
             <source>Names to choose from</source>
-            <translation type="unfinished" />
+            <translation>Названия на выбор</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_view.py" />
             <source>Reveal</source>
-            <translation type="unfinished" />
+            <translation>Открыть</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_view.py" />
             <source>Next Case</source>
-            <translation type="unfinished" />
+            <translation>Следующий случай</translation>
         </message>
     </context>
     <context>

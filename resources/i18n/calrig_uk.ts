@@ -1825,7 +1825,7 @@
         <message>
             <location filename="../../gui/discrepancy/findings_view.py" />
             <source>No series that was tried is likely to tell these names apart.</source>
-            <translation type="unfinished" />
+            <translation>Жодна з перевірених серій навряд чи розрізнить ці назви.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/findings_view.py" />
@@ -1860,7 +1860,7 @@
         <message>
             <location filename="../../gui/discrepancy/findings_view.py" />
             <source>Blind trial</source>
-            <translation type="unfinished" />
+            <translation>Сліпе випробування</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/findings_view.py" />
@@ -5130,7 +5130,7 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
             <source>The case is sealed: answer first.</source>
-            <translation type="unfinished" />
+            <translation>Випадок запечатано: спершу дайте відповідь.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
@@ -5190,7 +5190,7 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
             <source>Blind Trial</source>
-            <translation type="unfinished" />
+            <translation>Сліпе випробування</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
@@ -5215,7 +5215,7 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
             <source>Case {number}</source>
-            <translation type="unfinished" />
+            <translation>Випадок {number}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
@@ -5225,42 +5225,42 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
             <source>wrong</source>
-            <translation type="unfinished" />
+            <translation>хибно</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
             <source>Hidden: {names}</source>
-            <translation type="unfinished" />
+            <translation>Приховано: {names}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
             <source>You: {names} ({verdict})</source>
-            <translation type="unfinished" />
+            <translation>Ви: {names} ({verdict})</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
             <source>Program: {names} ({verdict})</source>
-            <translation type="unfinished" />
+            <translation>Програма: {names} ({verdict})</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
             <source>The seal is the SHA-256 of this text: {key}</source>
-            <translation type="unfinished" />
+            <translation>Печатка — це SHA-256 такого тексту: {key}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
             <source>No case was opened yet.</source>
-            <translation type="unfinished" />
+            <translation>Жодного випадку ще не відкрито.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
             <source>Of {cases} cases you had {operator} right, the program {program}.</source>
-            <translation type="unfinished" />
+            <translation>З {cases} [випадку|випадків|випадків] ви вгадали {operator}, програма — {program}.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
             <source>nothing is missing</source>
-            <translation type="unfinished" />
+            <translation>нічого не бракує</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/words.py" />
@@ -5270,7 +5270,7 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         <message>
             <location filename="../../gui/discrepancy/words.py" />
             <source>Measuring a sealed case …</source>
-            <translation type="unfinished" />
+            <translation>Вимірювання запечатаного випадку …</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/words.py" />
@@ -5371,6 +5371,11 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
             <location filename="../../gui/discrepancy/words.py" />
             <source>Time</source>
             <translation>Час</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/words.py" />
+            <source>Time since the mounting</source>
+            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../gui/discrepancy/words.py" />
@@ -7623,12 +7628,12 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         <message>
             <location filename="../../gui/archive/demo.py" />
             <source>the archive did not list all</source>
-            <translation type="unfinished" />
+            <translation>архів показав не все</translation>
         </message>
         <message>
             <location filename="../../gui/archive/demo.py" />
             <source>the archive did not answer</source>
-            <translation type="unfinished" />
+            <translation>архів не відповів</translation>
         </message>
         <message>
             <location filename="../../gui/archive/library.py" />
@@ -7978,17 +7983,17 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         <message>
             <location filename="../../gui/discrepancy/trial.py" />
             <source>Blind trial</source>
-            <translation type="unfinished" />
+            <translation>Сліпе випробування</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial.py" />
             <source>case {seed}</source>
-            <translation type="unfinished" />
+            <translation>випадок {seed}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
             <source>blind trial</source>
-            <translation type="unfinished" />
+            <translation>сліпе випробування</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/working.py" />
@@ -9307,17 +9312,17 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../gui/methods/comparison_demo.py" />
             <source>the files were not read</source>
-            <translation type="unfinished" />
+            <translation>файли не прочитано</translation>
         </message>
         <message>
             <location filename="../../gui/methods/comparison_demo.py" />
             <source>there is no noise to compare</source>
-            <translation type="unfinished" />
+            <translation>немає шуму для порівняння</translation>
         </message>
         <message>
             <location filename="../../gui/methods/comparison_demo.py" />
             <source>play Allan first</source>
-            <translation type="unfinished" />
+            <translation>спершу програйте частину Allan</translation>
         </message>
         <message>
             <location filename="../../gui/methods/demo.py" />
@@ -10662,7 +10667,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/discrepancy/record.py" />
             <source>No effect stands out, but the bias wanders far more than in sensors of this kind: it is {scatter}, or something that the catalogue does not know.</source>
-            <translation type="unfinished" />
+            <translation>Жоден ефект не виділяється, але зміщення нуля блукає значно більше, ніж у датчиків цього виду: це {scatter} або щось, чого каталог не знає.</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record.py" />
@@ -10707,7 +10712,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/discrepancy/record.py" />
             <source>the bias wanders several times as much as in sensors of this kind: noise of this unit, or a cause that is not in the catalogue; a second record tells, for noise goes another way then</source>
-            <translation type="unfinished" />
+            <translation>зміщення нуля блукає в кілька разів більше, ніж у датчиків цього виду: шум цього виробу або причина, якої немає в каталозі; це покаже другий запис, бо шум тоді піде інакше</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record.py" />
@@ -10747,87 +10752,87 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>Another record right behind this one</source>
-            <translation type="unfinished" />
+            <translation>Ще один запис одразу за цим</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>what settles has settled then, what drifts goes on, what jumped stays</source>
-            <translation type="unfinished" />
+            <translation>те, що встановлюється, тоді вже встановилося, те, що дрейфує, триває, те, що стрибнуло, лишається</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>Restart from cold</source>
-            <translation type="unfinished" />
+            <translation>Запуск із холодного стану</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>what settles after switching on begins anew, what drifts goes on</source>
-            <translation type="unfinished" />
+            <translation>те, що встановлюється після увімкнення, почнеться знову, те, що дрейфує, триватиме</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>Temperature held after a warm-up of an hour</source>
-            <translation type="unfinished" />
+            <translation>Стала температура після години прогріву</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>nothing that goes with temperature or with switching on is left</source>
-            <translation type="unfinished" />
+            <translation>не лишається нічого, що йде за температурою чи увімкненням</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>Temperature up and down by {span_c} degC at {rate} degC/min</source>
-            <translation type="unfinished" />
+            <translation>Температура вгору і вниз на {span_c} °C зі швидкістю {rate} °C/min</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>both directions and a rest between tell lag, hysteresis, slope and time apart</source>
-            <translation type="unfinished" />
+            <translation>обидва напрями з паузою між ними розрізняють запізнення, гістерезис, нахил і час</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>Drive amplitude {drive} % higher for a third of the record</source>
-            <translation type="unfinished" />
+            <translation>Амплітуда збудження на {drive} % більша протягом третини запису</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>what goes with the drive steps, what goes with temperature or time does not</source>
-            <translation type="unfinished" />
+            <translation>те, що йде за збудженням, стрибне, а те, що йде за температурою чи часом, — ні</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>as before</source>
-            <translation type="unfinished" />
+            <translation>як раніше</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>on, temperature held</source>
-            <translation type="unfinished" />
+            <translation>увімкнено, температура стала</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>temperature held</source>
-            <translation type="unfinished" />
+            <translation>температура стала</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>up by {span_c} degC</source>
-            <translation type="unfinished" />
+            <translation>вгору на {span_c} °C</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>down by {span_c} degC</source>
-            <translation type="unfinished" />
+            <translation>вниз на {span_c} °C</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>{name}, {minutes} min</source>
-            <translation type="unfinished" />
+            <translation>{name}, {minutes} min</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_followups.py" />
             <source>amplitude as it is</source>
-            <translation type="unfinished" />
+            <translation>амплітуда без змін</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/record_problem.py" />
@@ -10887,7 +10892,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/discrepancy/steps.py" />
             <source>{text}: the output goes to and fro between two levels, {abs} {unit} apart, {changes} times</source>
-            <translation type="unfinished" />
+            <translation>{text}: вихід переходить між двома рівнями з різницею {abs} {unit}, переходів: {changes}</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/steps.py" />
@@ -10912,7 +10917,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/discrepancy/steps.py" />
             <source>two levels</source>
-            <translation type="unfinished" />
+            <translation>два рівні</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/verdict.py" />
@@ -16312,32 +16317,32 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../gui/discrepancy/trial_view.py" />
             <source>Sealed by SHA-256: {seal}</source>
-            <translation type="unfinished" />
+            <translation>Запечатано SHA-256: {seal}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_view.py" />
             <source>Your answer: {names}</source>
-            <translation type="unfinished" />
+            <translation>Ваша відповідь: {names}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_view.py" />
             <source>Look at the residuals against each regressor, tick what you think is hidden (nothing, one effect or two), and reveal.</source>
-            <translation type="unfinished" />
+            <translation>Перегляньте залишки за кожним регресором, позначте, що, на вашу думку, приховано (нічого, один ефект чи два), і відкрийте.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_view.py" />
             <source>Names to choose from</source>
-            <translation type="unfinished" />
+            <translation>Назви на вибір</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_view.py" />
             <source>Reveal</source>
-            <translation type="unfinished" />
+            <translation>Відкрити</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_view.py" />
             <source>Next Case</source>
-            <translation type="unfinished" />
+            <translation>Наступний випадок</translation>
         </message>
     </context>
     <context>
