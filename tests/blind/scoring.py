@@ -3,7 +3,7 @@
 import math
 from typing import Any
 
-from tests.blind.long_record import NOISES
+from tests.blind.long_record import NOISES, SLOW
 
 UNKNOWN = "unexplained_structure"
 QUIET = ("adequate", "not_enough_data")
@@ -28,6 +28,8 @@ SIZES: dict[str, tuple[str, ...]] = {
     "": ("scale_factor_temperature", "settling_lag"),
 }
 """Effects with one number whose definition leaves no choice, by dimension."""
+UNSCALED = ("bias_temperature",)
+"""Of records: where a curve is named, its slope is that at another temperature."""
 PREFIX = {
     "m/s^2": 1.0 / 9.8106,
     "µg": 1e-6,
@@ -159,9 +161,11 @@ def matched(wanted: list[str], sets: list[set[str]]) -> int:
 def parameter_z(key: dict[str, Any], steps: list[dict[str, Any]]) -> float:
     """(estimate - truth) / standard uncertainty of the size, NaN where it is not comparable."""
     (name, effect), *_ = key["effects"].items()
+    if key["test"] == "record":
+        return record_z(name, effect, steps)
     dimension = next((d for d, names in SIZES.items() if name in names), None)
     step = next((step for step in steps if step["effect"] == name), None)
-    if dimension is None or step is None or key["test"] == "record":
+    if dimension is None or step is None:
         return math.nan
     if key["test"] == "rate_table" and dimension == "g":
         return math.nan  # nonlinearity may be given at full rate or for each (deg/s)^2
@@ -174,6 +178,19 @@ def parameter_z(key: dict[str, Any], steps: list[dict[str, Any]]) -> float:
         value, u, truth = parameter["value"] * factor, spread * factor, effect["size"]
         return (abs(value) - abs(truth)) / u
     return math.nan
+
+
+def record_z(name: str, effect: dict[str, Any], steps: list[dict[str, Any]]) -> float:
+    """The same for a record, whose numbers are in units of the output on both sides."""
+    own = [step for step in steps if step["effect"] == name]
+    if name not in SLOW or name in UNSCALED or len(own) != 1:
+        return math.nan
+    parameter = own[0]["parameters"][0]
+    if not parameter["u"]:
+        return math.nan
+    # The branches of a hysteresis are apart by its width times what goes with the temperature.
+    truth = abs(effect["size"]) * effect["shape"].get("width", 1.0)
+    return (abs(parameter["value"]) - truth) / parameter["u"]
 
 
 def closure(key: dict[str, Any], answer: dict[str, Any]) -> float:

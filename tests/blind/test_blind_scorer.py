@@ -150,6 +150,14 @@ def test_parameters_are_compared_in_any_unit(unit: str, value: float, u: float):
     assert row["z"] == pytest.approx(1.0, abs=1e-6)
 
 
+def test_a_number_of_a_record_is_compared_in_units_of_its_output():
+    fitted = {"name": "b_H", "value": -3.2e-4, "u": 1e-5, "unit": "V"}
+    told = key("thermal_hysteresis") | {"test": "record"}
+    told["effects"]["thermal_hysteresis"] |= {"size": 1e-3, "shape": {"width": 0.3}}
+    row = scoring.score(told, answer(step("thermal_hysteresis", parameters=[fitted])))
+    assert row["z"] == pytest.approx(2.0)
+
+
 def test_closure_takes_the_oracle_as_the_floor():
     row = scoring.score(key("bias_jump"), answer(step("bias_jump"), before=20.0, after=12.0))
     assert row["closure"] == pytest.approx(0.8)

@@ -58,6 +58,7 @@ class TemperatureRate(_Thermal):
     Parameters
     ----------
     tau_s : time over which the rate is taken
+    least_s : shorter ones tell nothing more, for rows are not closer
     """
 
     id = "temperature_rate"
@@ -69,8 +70,8 @@ class TemperatureRate(_Thermal):
     confused_with = ("thermal_lag", "warm_up")
     typical = {"accelerometer": 0.1, "gyro": 0.01}  # noqa: RUF012
 
-    def __init__(self, tau_s: float = 30.0) -> None:
-        self._tau = tau_s
+    def __init__(self, tau_s: float = 30.0, least_s: float = 0.0) -> None:
+        self._tau, self._least = tau_s, least_s
 
     @property
     def shape(self) -> tuple[tuple[Parameter, float], ...]:
@@ -96,7 +97,17 @@ class TemperatureRate(_Thermal):
 
     def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
         """From neighbours in time to a twentieth of the record."""
-        return tuple(TemperatureRate(tau) for tau in _times(stimulus, 1.5, 0.05, 4))
+        times = _times(stimulus, 1.5, 0.05, 4)
+        return tuple(TemperatureRate(tau, times[0]) for tau in times)
+
+    def near(self, fraction: float = 1.0) -> tuple[Effect, ...]:
+        """Over a little less and more time; none below what rows can show."""
+        step = 1.25**fraction
+        shorter = max(self._tau / step, self._least)
+        return (
+            TemperatureRate(shorter, self._least),
+            TemperatureRate(self._tau * step, self._least),
+        )
 
 
 class ThermalLag(_Thermal):

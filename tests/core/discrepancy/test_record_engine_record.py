@@ -202,6 +202,29 @@ def test_in_the_chamber_x_lags_and_z_changes_with_time():
     assert "thermal_lag" not in {c.effect for c in change.candidates}  # those within ten nats
 
 
+SIZED: dict[str, tuple[Hidden, float]] = {
+    "quadrature_leakage": (lambda h: 0.1 * h.quadrature, 0.1),
+    "bias_jump": (lambda h: 2e-4 * (h.t > 1400.0), 2e-4),
+    "phase_error": (lambda h: 0.12 * (h.delay - 14.3) * h.quadrature, 0.12),
+    "bias_drift": (lambda h: 4e-4 * h.t / 3600.0, 4e-4),
+}
+
+
+@pytest.mark.slow
+def test_intervals_of_named_effects_hold_their_sizes():
+    """After the search has chosen the name: 95 % intervals, deviations of one uncertainty."""
+    deviations: list[float] = []
+    for name, (hidden, size) in SIZED.items():
+        for seed in range(300, 308):
+            run = hour_run(hidden, seed=seed, n=180, rate=0.05)
+            story = explain_record(run, Settings(advise=False))
+            own = [s.parameters[0] for s in story.steps if s.effect == name]
+            deviations += [(p.value - size) / p.u for p in own]
+    assert len(deviations) >= 30  # of 32
+    assert np.mean(np.abs(deviations) < 1.96) >= 0.87
+    assert 0.75 < np.sqrt(np.mean(np.square(deviations))) < 1.3
+
+
 def test_the_search_alone_gives_the_state_and_its_engine():
     found = search_record(Samples.of(hour_run(HIDDEN["warm_up"][0], seed=21)), Settings())
     assert [slot.name for slot in found.state.slots] == ["warm_up"]

@@ -48,6 +48,15 @@ def test_rate_is_the_derivative_in_degrees_a_minute():
     assert column == pytest.approx(exact, abs=6e-3)  # one-sided at the ends
 
 
+def test_the_time_of_a_rate_is_refined_but_not_below_the_rows():
+    first, *_, last = TemperatureRate().instances(stimulus(temperature_c=20.0 + 0.01 * T), GYRO)
+    ((_, least),) = first.shape
+    shorter, longer = (one.shape[0][1] for one in first.near())
+    assert (shorter, longer) == (least, 1.25 * least)
+    ((_, most),) = last.shape
+    assert [one.shape[0][1] for one in last.near()] == [most / 1.25, most * 1.25]
+
+
 def test_hysteresis_stands_on_one_branch_until_the_temperature_turns():
     warm = np.concatenate([np.linspace(20.0, 30.0, 100), np.linspace(30.0, 20.0, 100)])
     stands = branch(warm, 2.0, 1.0)
