@@ -1,8 +1,9 @@
 """Bring the translations up to the sources: ``python -m gui.languages.update``.
 
 New texts are added as unfinished, texts that are gone are dropped, the rest stays as it is; what
-lacks a translation is told for each language, with its place, and counted at the end. Then Qt's ``lrelease`` makes the ``.qm`` that the program loads. ``--check`` changes nothing
-and ends with 1 if something would have been changed.
+lacks a translation is told for each language, with its place, and counted at the end. Then Qt's
+``lrelease`` makes the ``.qm`` that the program loads. ``--check`` changes nothing and ends with 1
+if something would have been changed.
 """
 
 import argparse

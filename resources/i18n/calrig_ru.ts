@@ -5375,7 +5375,7 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         <message>
             <location filename="../../gui/discrepancy/words.py" />
             <source>Time since the mounting</source>
-            <translation type="unfinished" />
+            <translation>Время от установки</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/words.py" />

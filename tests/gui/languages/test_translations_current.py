@@ -51,6 +51,17 @@ def test_translations_keep_names_of_keys_and_filters_of_files(path: Path):
             assert all(key in m.translation for key in known), m
 
 
+def test_translations_keep_tags_and_have_letters_of_their_own_language(path: Path):
+    strange = {"calrig_uk.ts": "[ЫыЭэЪъЁё]", "calrig_ru.ts": "[ІіЇїЄєҐґ]"}[path.name]
+    for m in read_ts(path):
+        assert re.findall(r"</?\w+[^>]*>", m.source) == re.findall(
+            r"</?\w+[^>]*>", m.translation
+        ), m
+        assert m.source.count("&") == m.translation.count("&"), m
+        assert m.source.count("\n") == m.translation.count("\n"), m
+        assert not re.search(strange, m.translation), m
+
+
 def test_what_the_program_loads_is_made_of_the_file(path: Path, tmp_path: Path):
     update.release(path, tmp_path / "fresh.qm")
     assert (tmp_path / "fresh.qm").read_bytes() == path.with_suffix(".qm").read_bytes()
@@ -74,7 +85,10 @@ def test_check_tells_what_is_missing_and_writes_nothing(tmp_path: Path, monkeypa
     monkeypatch.setattr(update, "FOLDER", tmp_path)
     monkeypatch.setattr(update, "FOLDERS", ("gui/archive",))
     assert update.main(["--check"]) == 1
-    assert "Refresh" in capsys.readouterr().out
+    told = capsys.readouterr().out
+    assert "uk: gui/archive/" in told
+    assert "Refresh" in told
+    assert re.search(r"uk: (\d+) of \1 texts lack a translation", told)
     assert read_ts(file) == []
     assert update.main([]) == 0
     assert "Refresh" in {m.source for m in read_ts(file)}
