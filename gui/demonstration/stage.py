@@ -5,7 +5,7 @@ from collections.abc import Callable
 from pathlib import Path
 from urllib.parse import urlencode
 
-from PySide6.QtCore import QSize
+from PySide6.QtCore import QSize, QTimer
 from PySide6.QtWidgets import QApplication, QWidget
 
 from core.errors import LinkError, StorageError
@@ -104,13 +104,19 @@ class WindowStage:
         self.picture_of(self.application.window, name)
 
     def picture_of(self, widget: QWidget, name: str) -> None:
-        """Take a picture of another window than that of the program."""
+        """Take a picture of a window in both looks, which show the same moment."""
+        drained = self.application.connection.findChild(QTimer)
+        waiting = drained is not None and drained.isActive()
+        if drained is not None:
+            drained.stop()
         for look in THEMES:
             apply_theme(self._qt, look)
             self.rest(_STILL_S)
             for _ in range(_STILL_TURNS):
                 self._turn()
             self.drawing(f"{name}-{look}", widget.grab().save)
+        if drained is not None and waiting:
+            drained.start()
 
     def drawing(self, name: str, save: Callable[[str], bool]) -> None:
         path = self._out / f"{name}.png"
