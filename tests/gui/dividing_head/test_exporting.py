@@ -10,7 +10,7 @@ from core.records.open import read_any
 from gui.dividing_head.formats import formats
 from gui.exporting import Exporting
 from gui.measuring.nominal import nominal_of
-from tests.gui.head_desk import Desk
+from tests.gui.desk import Desk
 
 
 @pytest.fixture

@@ -10,7 +10,7 @@ from core.records.session.find import unfinished
 from gui.dividing_head.settings import HeadSettings, Tilter, settings_of, settings_of_session
 from gui.settings import Settings
 from gui.widgets.states import StepMark
-from tests.gui.head_desk import Desk
+from tests.gui.desk import Desk
 
 
 def enabled(desk: Desk) -> set[str]:

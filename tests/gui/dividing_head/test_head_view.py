@@ -13,7 +13,7 @@ from gui.dividing_head.settings_view import HeadForm
 from gui.measuring.live_view import LiveTable
 from gui.measuring.state import LiveRow, LiveState
 from gui.measuring.view import MeasuringView
-from tests.gui.head_desk import Desk
+from tests.gui.desk import Desk
 
 
 @pytest.fixture

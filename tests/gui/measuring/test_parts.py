@@ -17,8 +17,8 @@ from gui.dividing_head.device import head_device
 from gui.dividing_head.processing import mg_per_unit
 from gui.measuring.counts import progress_of, visits_of
 from gui.measuring.live import LiveMeans
+from tests.gui.desk import Desk
 from tests.gui.fake_bench import BIAS, K
-from tests.gui.head_desk import Desk
 
 STEPS = load_plans()["accelerometer_4"].steps
 CHANNELS = (Channel("acc_x", "code", "acc.x"),)

@@ -7,9 +7,9 @@ from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
 from core.errors import Note, Severity, StorageError
+from gui.exporting import ExportFormat, Exporting
 from gui.jobs import Jobs
 from gui.measuring.curve_view import CurveView
-from gui.exporting import ExportFormat, Exporting
 from gui.measuring.page import CurveState, ResultsPage
 from gui.measuring.results_view import ResultsView
 from gui.messages import Messages

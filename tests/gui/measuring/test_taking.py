@@ -11,7 +11,7 @@ from core.records.open import read_any
 from core.records.session.events import Position
 from core.records.session.record import read_session
 from gui.measuring.keeper import Keeper
-from tests.gui.head_desk import Desk
+from tests.gui.desk import Desk
 
 
 def on_disk(desk: Desk) -> list[int]:

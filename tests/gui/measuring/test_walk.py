@@ -8,8 +8,8 @@ from core.arrays import frozen, frozen_int
 from core.plans.plan import Step
 from core.samples.block import SampleBlock
 from gui.measuring.walk import _parts
+from tests.gui.desk import Desk
 from tests.gui.fake_bench import RATE
-from tests.gui.head_desk import Desk
 
 
 def gathered(desk: Desk, *stays: tuple[Step, float, float]) -> SampleBlock:

@@ -1,7 +1,7 @@
 """The rate-table tab's presenters on a fed connection, without a window."""
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -10,17 +10,10 @@ import pytest
 from core.arrays import frozen, frozen_int
 from core.plans.plan import Step
 from core.samples.block import SampleBlock
-from gui.jobs import Jobs
-from gui.measuring.bench import Bench
-from gui.measuring.presenter import MeasuringPresenter
-from gui.measuring.sitting import Sitting
-from gui.measuring.tab import plans_of
-from gui.measuring.taking import Taking
-from gui.messages import Messages
 from gui.rate_table.guide import RateGuide, rates_of
 from gui.rate_table.results import RateResults
 from gui.rate_table.settings import RateSettings
-from gui.settings import Settings
+from tests.gui.desk import Desk, desks
 from tests.gui.fake_bench import BIAS, RATE, FakeConnection, G, K
 
 SLOPE, ZERO = -79.378668, -438.08
@@ -66,87 +59,25 @@ class TableConnection(FakeConnection):
         self.blocks.emit(SampleBlock(self.channels, frozen_int(index), frozen(data), RATE))
 
 
-@dataclass
-class RateDesk:
-    """Everything behind the view."""
-
-    connection: TableConnection
-    messages: Messages
-    sitting: Sitting[RateSettings]
-    taking: Taking
-    results: RateResults
-    presenter: MeasuringPresenter[RateSettings]
-    jobs: Jobs
-    root: Path
-
-    @property
-    def step(self) -> Step:
-        """The current step."""
-        status = self.sitting.walk.status
-        assert status is not None
-        assert status.step is not None
-        return status.step
-
-    @property
-    def rates(self) -> list[float]:
-        """Set rates of what counts."""
-        return [position.step.rate_dps for position in self.sitting.keeper.positions]
-
-    @property
-    def what(self) -> str:
-        """Headline of the banner."""
-        return "" if self.messages.current is None else self.messages.current.what
-
-    @property
-    def meaning(self) -> str:
-        """Sentence of the banner."""
-        return "" if self.messages.current is None else self.messages.current.meaning
-
-    def measure(self, step: Step | None = None) -> None:
-        """Press Accumulate Data with the table turning as a step asks; the current if none."""
-        self.presenter.act("accumulate")
-        self.connection.turn(step or self.step)
-
-    def set(self, **values: object) -> None:
-        """Change settings."""
-        self.presenter.set_settings(replace(self.sitting.settings, **values))
-
-
 @pytest.fixture
-def make_rate_desk(qapp: object, tmp_path: Path) -> Iterator[Callable[..., RateDesk]]:
+def make_rate_desk(qapp: object, tmp_path: Path) -> Iterator[Callable[..., Desk]]:
     """Build a desk; a second one on the same folder is the next start of the program."""
-    desks: list[RateDesk] = []
+    with desks(tmp_path) as build:
 
-    def make(profile_id: str = "adxrs_board9", plan_id: str = "rate_table_100") -> RateDesk:
-        guide = RateGuide()
-        plans = plans_of(guide.tests)
-        messages, jobs = Messages(), Jobs()
-        connection = TableConnection(profile_id)
-        bench = Bench(connection, guide.device_of, guide.missing)
-        settings = RateSettings(
-            plan_id=plan_id, accumulation_s=1.0, settle_s=0.2, whole_turns=False
-        )
-        root = tmp_path / "data"
-        root.mkdir(exist_ok=True)
-        sitting = Sitting(guide, bench, messages, lambda: root, plans[plan_id], settings)
-        taking = Taking(sitting, bench, messages)
-        results = RateResults(guide.key, jobs, messages)
-        presenter = MeasuringPresenter(
-            bench, sitting, taking, results, plans, Settings(tmp_path / "settings.json")
-        )
-        desk = RateDesk(connection, messages, sitting, taking, results, presenter, jobs, root)
-        connection.plug("Gyro31")
-        connection.turn(replace(plans[plan_id].steps[0], rate_dps=0.0), 0.5)
-        desks.append(desk)
-        return desk
+        def make(profile_id: str = "adxrs_board9", plan_id: str = "rate_table_100") -> Desk:
+            connection = TableConnection(profile_id)
+            settings = RateSettings(
+                plan_id=plan_id, accumulation_s=1.0, settle_s=0.2, whole_turns=False
+            )
+            desk = build(RateGuide(), connection, connection.turn, settings, RateResults)
+            connection.plug("Gyro31")
+            connection.turn(replace(desk.sitting.plan.steps[0], rate_dps=0.0), 0.5)
+            return desk
 
-    yield make
-    for desk in desks:
-        desk.sitting.close()
-        desk.jobs.close()
+        yield make
 
 
 @pytest.fixture
-def rate_desk(make_rate_desk: Callable[..., RateDesk]) -> RateDesk:
+def rate_desk(make_rate_desk: Callable[..., Desk]) -> Desk:
     """Nine gyros, eleven rates of a second each."""
     return make_rate_desk()

@@ -11,11 +11,11 @@ from gui.measuring.view import MeasuringView
 from gui.rate_table.free import MOUNTINGS, free_steps
 from gui.rate_table.settings import RateSettings
 from gui.rate_table.settings_view import RateForm
-from tests.gui.rate_table.conftest import RateDesk
+from tests.gui.desk import Desk
 
 
 @pytest.fixture
-def view(rate_desk: RateDesk, qtbot: QtBot) -> MeasuringView:
+def view(rate_desk: Desk, qtbot: QtBot) -> MeasuringView:
     made = RateForm(RateSettings())
     made.rates_set.connect(
         lambda rates, mounts, both: rate_desk.presenter.set_steps(
@@ -44,7 +44,7 @@ def shown(form: RateForm) -> set[str]:
     return labels | buttons
 
 
-def test_the_table_and_the_head_have_their_own_fields(form: RateForm, rate_desk: RateDesk):
+def test_the_table_and_the_head_have_their_own_fields(form: RateForm, rate_desk: Desk):
     table = {"u(rate), deg/s", "Whole turns of the table", "Rates of your own, deg/s"}
     head = {"u(head angle), arcsec", "Azimuth, deg"}
     common = {"Accumulation Time, sec", "Termo calibration", "Latitude, deg"}
@@ -55,7 +55,7 @@ def test_the_table_and_the_head_have_their_own_fields(form: RateForm, rate_desk:
     assert not table & shown(form)
 
 
-def test_every_field_reaches_the_settings(form: RateForm, rate_desk: RateDesk):
+def test_every_field_reaches_the_settings(form: RateForm, rate_desk: Desk):
     form._u_rate.setValue(0.02)
     form._u_ppm.setValue(150.0)
     form._full_scale.setValue(300.0)
@@ -78,7 +78,7 @@ def test_every_field_reaches_the_settings(form: RateForm, rate_desk: RateDesk):
 
 
 def test_a_free_list_becomes_the_plan_and_a_bad_one_cannot_be_set(
-    form: RateForm, rate_desk: RateDesk, qtbot: QtBot
+    form: RateForm, rate_desk: Desk, qtbot: QtBot
 ):
     line: QLineEdit = form._rates
     qtbot.keyClicks(line, "10 10")
@@ -95,7 +95,7 @@ def test_a_free_list_becomes_the_plan_and_a_bad_one_cannot_be_set(
 
 
 def test_what_belongs_to_the_session_is_locked(
-    form: RateForm, rate_desk: RateDesk, make_rate_desk: Callable[..., RateDesk]
+    form: RateForm, rate_desk: Desk, make_rate_desk: Callable[..., Desk]
 ):
     rate_desk.measure()
     assert not form._set.isEnabled()

@@ -10,17 +10,18 @@ from pytestqt.qtbot import QtBot
 from core.records.open import read_any
 from gui.rate_table.settings import RateSettings, settings_of, settings_of_session
 from gui.rate_table.words import seconds_and_turns
-from tests.gui.rate_table.conftest import SLOPE, ZERO, B, G, RateDesk
+from tests.gui.desk import Desk
+from tests.gui.rate_table.conftest import SLOPE, ZERO, B, G
 
 RATES = [-100.0, -80.0, -60.0, -40.0, -20.0, 0.0, 20.0, 40.0, 60.0, 80.0, 100.0]
 
 
-def processed(desk: RateDesk, qtbot: QtBot) -> None:
+def processed(desk: Desk, qtbot: QtBot) -> None:
     desk.presenter.act("process")
     qtbot.waitUntil(lambda: not desk.results.busy, timeout=10_000)
 
 
-def test_eleven_rates_their_file_and_their_line(rate_desk: RateDesk, qtbot: QtBot):
+def test_eleven_rates_their_file_and_their_line(rate_desk: Desk, qtbot: QtBot):
     stage = rate_desk.presenter.state.stage
     assert stage.headline == "Turn at −100 deg/s"
     assert "clockwise seen from above" in stage.detail
@@ -44,7 +45,7 @@ def test_eleven_rates_their_file_and_their_line(rate_desk: RateDesk, qtbot: QtBo
     assert (session.folder / "calibration.cal.json").is_file()
 
 
-def test_a_table_that_turns_the_wrong_way_is_told(rate_desk: RateDesk):
+def test_a_table_that_turns_the_wrong_way_is_told(rate_desk: Desk):
     for _ in range(3):
         rate_desk.measure()
     wrong = replace(rate_desk.step, rate_dps=40.0)
@@ -54,14 +55,14 @@ def test_a_table_that_turns_the_wrong_way_is_told(rate_desk: RateDesk):
     assert rate_desk.presenter.state.stage.headline == "Wrong rate"
 
 
-def test_a_table_that_stands_is_told(rate_desk: RateDesk):
+def test_a_table_that_stands_is_told(rate_desk: Desk):
     for _ in range(3):
         rate_desk.measure()
     rate_desk.measure(replace(rate_desk.step, rate_dps=0.0))
     assert "the table stood still" in rate_desk.what
 
 
-def test_a_table_that_stops_in_the_middle_is_told(rate_desk: RateDesk):
+def test_a_table_that_stops_in_the_middle_is_told(rate_desk: Desk):
     for _ in range(3):
         rate_desk.measure()
     rate_desk.presenter.act("accumulate")
@@ -72,14 +73,14 @@ def test_a_table_that_stops_in_the_middle_is_told(rate_desk: RateDesk):
     assert "head" not in rate_desk.meaning
 
 
-def test_an_output_at_the_end_of_its_range_is_told(rate_desk: RateDesk):
+def test_an_output_at_the_end_of_its_range_is_told(rate_desk: Desk):
     rate_desk.connection.limit = 6000.0
     rate_desk.measure()
     assert rate_desk.rates == []
     assert "end of its range" in rate_desk.meaning
 
 
-def test_hands_free_waits_for_the_table_and_walks_by_itself(rate_desk: RateDesk):
+def test_hands_free_waits_for_the_table_and_walks_by_itself(rate_desk: Desk):
     rate_desk.presenter.set_hands_free(True)
     standing = replace(rate_desk.step, rate_dps=0.0)
     rate_desk.connection.turn(standing, 4.0)
@@ -92,7 +93,7 @@ def test_hands_free_waits_for_the_table_and_walks_by_itself(rate_desk: RateDesk)
     assert rate_desk.rates == RATES[:4]
 
 
-def test_free_rates_both_ways_tell_hysteresis(rate_desk: RateDesk, qtbot: QtBot):
+def test_free_rates_both_ways_tell_hysteresis(rate_desk: Desk, qtbot: QtBot):
     from gui.rate_table.free import free_steps, usable
 
     assert not usable((20.0, 20.0))
@@ -109,7 +110,7 @@ def test_free_rates_both_ways_tell_hysteresis(rate_desk: RateDesk, qtbot: QtBot)
     assert "Hysteresis, up less down" in cells
 
 
-def test_two_rates_are_processed_with_a_warning(rate_desk: RateDesk, qtbot: QtBot):
+def test_two_rates_are_processed_with_a_warning(rate_desk: Desk, qtbot: QtBot):
     rate_desk.measure()
     rate_desk.measure()
     processed(rate_desk, qtbot)
@@ -118,7 +119,7 @@ def test_two_rates_are_processed_with_a_warning(rate_desk: RateDesk, qtbot: QtBo
     assert any("two rates always lie on a line" in note.text for note in page.notes)
 
 
-def test_one_rate_alone_is_refused_in_words(rate_desk: RateDesk, qtbot: QtBot):
+def test_one_rate_alone_is_refused_in_words(rate_desk: Desk, qtbot: QtBot):
     for _ in range(2):
         rate_desk.presenter.choose(0)
         rate_desk.measure()
@@ -127,7 +128,7 @@ def test_one_rate_alone_is_refused_in_words(rate_desk: RateDesk, qtbot: QtBot):
     assert "every row has the same rate" in rate_desk.meaning
 
 
-def test_three_axes_by_remounting(make_rate_desk: Callable[..., RateDesk], qtbot: QtBot):
+def test_three_axes_by_remounting(make_rate_desk: Callable[..., Desk], qtbot: QtBot):
     desk = make_rate_desk("pw09_raw", "rate_table_xyz")
     headlines: list[str] = []
     while desk.presenter.state.stage.headline != "All rates done":
@@ -145,7 +146,7 @@ def test_three_axes_by_remounting(make_rate_desk: Callable[..., RateDesk], qtbot
 
 
 def test_static_positions_after_the_table_give_the_whole_model(
-    make_rate_desk: Callable[..., RateDesk], qtbot: QtBot
+    make_rate_desk: Callable[..., Desk], qtbot: QtBot
 ):
     desk = make_rate_desk()
     for _ in RATES:
@@ -173,7 +174,7 @@ def test_static_positions_after_the_table_give_the_whole_model(
 
 
 def test_a_unit_with_accelerometers_is_recognised_on_the_head(
-    make_rate_desk: Callable[..., RateDesk],
+    make_rate_desk: Callable[..., Desk],
 ):
     desk = make_rate_desk("pw09_raw", "g_sensitivity_8")
     desk.connection.on_head = True
@@ -193,7 +194,7 @@ def test_whole_turns_are_proposed_and_what_is_left_is_said():
     assert settings.seconds_at(100.0) == pytest.approx(28.8)
 
 
-def test_a_worn_table_widens_the_uncertainty(rate_desk: RateDesk, qtbot: QtBot):
+def test_a_worn_table_widens_the_uncertainty(rate_desk: Desk, qtbot: QtBot):
     for _ in RATES:
         rate_desk.measure()
     found: list[float] = []
@@ -207,7 +208,7 @@ def test_a_worn_table_widens_the_uncertainty(rate_desk: RateDesk, qtbot: QtBot):
     assert found[1] > 20.0 * found[0]
 
 
-def test_settings_are_kept_with_the_session_and_remembered(rate_desk: RateDesk):
+def test_settings_are_kept_with_the_session_and_remembered(rate_desk: Desk):
     rate_desk.set(latitude_deg=50.45, rate_u_dps=0.02, azimuth_known=True)
     rate_desk.measure()
     session = rate_desk.sitting.keeper.session
@@ -221,12 +222,12 @@ def test_settings_are_kept_with_the_session_and_remembered(rate_desk: RateDesk):
     assert settings_of({"latitude_deg": 400, "rate_u_dps": "worn"}) == RateSettings()
 
 
-def test_a_device_without_gyros_is_told(make_rate_desk: Callable[..., RateDesk]):
+def test_a_device_without_gyros_is_told(make_rate_desk: Callable[..., Desk]):
     assert make_rate_desk("adc_board9").presenter.state.stage.headline == "No gyros"
 
 
 def test_an_earlier_calibration_tells_the_wrong_way_from_the_first_rate(
-    make_rate_desk: Callable[..., RateDesk], qtbot: QtBot
+    make_rate_desk: Callable[..., Desk], qtbot: QtBot
 ):
     first = make_rate_desk()
     for _ in RATES:
