@@ -18,6 +18,8 @@ space, evidence, bank, curves, relabels, slots
     Whitened residual space; evidence; all effects, unknown curves, relabelled rows in it; states.
 search, engine, sets
     Names compete; the rounds of a search and its threshold; what cannot be told apart.
+two_levels, weighed
+    A bias between two levels; what was found against what stands in no catalogue.
 gaps, locate, power, steps, verdict
     How far, where, what could have been seen, rungs with their numbers, the verdict in words.
 record

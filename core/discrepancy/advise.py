@@ -15,7 +15,7 @@ from core.discrepancy.components import components_of
 from core.discrepancy.engine import Engine
 from core.discrepancy.followups import FollowUp, followups_of
 from core.discrepancy.problem import Problem
-from core.discrepancy.result import NextMeasurement
+from core.discrepancy.result import UNKNOWN, NextMeasurement
 from core.discrepancy.sets import rivals_of
 from core.discrepancy.slots import Slot, State
 from core.discrepancy.space import Space, orthonormal
@@ -26,6 +26,9 @@ _NEEDED = 14.0
 
 _SHOWN = 3
 _MOST_RIVALS = 6
+_NEAREST = 3
+_SURE = 0.98
+"""Chance from which on the shorter follow-up is the better one."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -44,7 +47,7 @@ def advise(engine: Engine, state: State) -> tuple[NextMeasurement, ...]:
         return ()
     found = [_judged(engine, sets, follow) for follow in followups_of(engine.problem.run)]
     found = [each for each in found if each.probability > 0.0]
-    found.sort(key=lambda each: (-round(each.probability, 2), each.minutes))
+    found.sort(key=lambda each: (-min(round(each.probability, 2), _SURE), each.minutes))
     return tuple(found[:_SHOWN])
 
 
@@ -55,6 +58,10 @@ def tied_sets(engine: Engine, state: State) -> list[list[Rival]]:
         rivals = rivals_of(engine, state, place)
         scored = {name: (one, weight) for name, one, weight in rivals.ranked}
         names = [state.slots[place].name, *rivals.names][:_MOST_RIVALS]
+        if len(names) == 2 and UNKNOWN in names:
+            # What is unknown predicts nothing; the nearest names stand for it.
+            names += [name for name, one, _ in rivals.ranked if one.slot is not None][:_NEAREST]
+            names = list(dict.fromkeys(names))
         members: list[Rival] = []
         for name in names:
             one, weight = scored.get(name, (None, 0.0))

@@ -12,6 +12,8 @@ from core.plans.plan import Plan, Step
 from core.samples.run import Run
 
 _MOST = 24
+_SMALL = 150
+"""Outputs of a run that may be followed by far more rows than it has."""
 _STEP_MIN, _MOUNT_MIN = 0.5, 8.0
 _Place = tuple[str, float]
 
@@ -92,6 +94,15 @@ def _on_head(run: Run) -> tuple[FollowUp, ...]:
                 "rig, dial and sensor apart, with half the noise",
                 (_turned(first), _flipped(first), "Z_from", _turned(first), _flipped(first)),
                 _dense(mixed),
+            ),
+            *(
+                (
+                    "All mountings twice, twice as dense",
+                    "rig, dial and sensor apart, and marks between those of the first plan",
+                    (_turned(first), _flipped(first), "Z_from", _turned(first), _flipped(first)),
+                    _shuffled((np.arange(2 * _MOST) * 7.5).tolist()),
+                )
+                for _ in range(run.y.size <= _SMALL)
             ),
         )
     ]

@@ -56,6 +56,13 @@ def two_levels(engine: Engine, state: State, named: tuple[Slot, ...] = ()) -> Le
     drift = np.sum([p.matrix for p, d in zip(parts, drifts, strict=True) if d], axis=0)
     design = np.hstack([problem.design(), *(slot.raw for slot in state.slots)])
     y = problem.y + np.sum([slot.change for slot in state.slots], axis=0)
+    space = engine.search.bank.space
+    level, dof = space.prior, space.dof - state.added.shape[1]
+
+    def fit(left: float) -> float:
+        """Log-likelihood of a sum of squares; Student's, for the level of the noise is a guess."""
+        return -0.5 * (level + dof) * float(np.log1p(max(left, 0.0) / level))
+
     alone: list[float] = []
     with_names: list[float] = []
     with_path: list[float] = []
@@ -63,16 +70,19 @@ def two_levels(engine: Engine, state: State, named: tuple[Slot, ...] = ()) -> Le
     for size in _DRIFTS:
         precision, likelihood = _precision(other + size**2 * drift, design)
         pull = precision @ y
-        likelihood -= 0.5 * float(y @ pull) + 0.5 * (np.log(size) / _SPREAD) ** 2
-        alone.append(likelihood)
-        with_names.append(likelihood + _gain(engine, precision, y, named))
+        likelihood -= 0.5 * (np.log(size) / _SPREAD) ** 2
+        squares = float(y @ pull)
+        alone.append(likelihood + fit(squares))
+        after, price = _explained(engine, precision, y, named)
+        with_names.append(likelihood + fit(after) - price)
         wandered = drift @ pull
         for channel in range(problem.channels):
             own = slice(channel * n, (channel + 1) * n)
             start = wandered[own] > 0.5 * np.sum(np.quantile(wandered[own], [0.1, 0.9]))
             inner = precision[own, own]
-            levels, worth = _climbed(inner, pull[own], np.where(start, 1.0, -1.0))
-            with_path.append(likelihood + worth - 0.5 * np.log1p(_G) - np.log(problem.channels))
+            levels, gain, price = _climbed(inner, pull[own], np.where(start, 1.0, -1.0))
+            price += 0.5 * float(np.log1p(_G)) + float(np.log(problem.channels))
+            with_path.append(likelihood + fit(squares - 2.0 * gain) - price)
             if with_path[-1] > best:
                 best, path = with_path[-1], np.zeros(len(y))
                 path[own] = levels
@@ -101,27 +111,30 @@ def _inverse(root: FloatArray) -> FloatArray:
     return solve_triangular(root, np.eye(len(root)), lower=True, check_finite=False)
 
 
-def _gain(engine: Engine, precision: FloatArray, y: FloatArray, named: tuple[Slot, ...]) -> float:
-    """Evidence of names, their places and shapes paid for."""
+def _explained(
+    engine: Engine, precision: FloatArray, y: FloatArray, named: tuple[Slot, ...]
+) -> tuple[float, float]:
+    """Sum of squares that names leave, and what their places and shapes cost."""
     if not named:
-        return 0.0
+        return float(y @ precision @ y), 0.0
     moved = y + np.sum([slot.change for slot in named], axis=0)
     raw = np.hstack([slot.raw for slot in named])
     inner, along = raw.T @ precision @ raw, raw.T @ (precision @ moved)
     taken = float(along @ np.linalg.pinv(inner, rcond=1e-10) @ along) if raw.shape[1] else 0.0
-    after = float(moved @ precision @ moved) - taken
     bank = engine.bank
     places = sum(
-        np.log(max(int(np.sum(bank.name == bank.names.index(slot.name))), 1))
+        float(np.log(max(int(np.sum(bank.name == bank.names.index(slot.name))), 1)))
         for slot in named
         if slot.name in bank.names
     )
-    gain = 0.5 * (float(y @ precision @ y) - after)
-    return gain - 0.5 * raw.shape[1] * float(np.log1p(_G)) - float(places)
+    price = 0.5 * raw.shape[1] * float(np.log1p(_G)) + places
+    return float(moved @ precision @ moved) - taken, price
 
 
-def _climbed(inner: FloatArray, pull: FloatArray, path: FloatArray) -> tuple[FloatArray, float]:
-    """The best path (n,) that turning over one stretch after another leads to, and its worth.
+def _climbed(
+    inner: FloatArray, pull: FloatArray, path: FloatArray
+) -> tuple[FloatArray, float, float]:
+    """The best path (n,) that turning one stretch after another leads to, its gain and its price.
 
     Of all stretches [i, j) the best is turned; sums over them are differences of running sums.
     """
@@ -131,7 +144,7 @@ def _climbed(inner: FloatArray, pull: FloatArray, path: FloatArray) -> tuple[Flo
     empty = np.tril(np.full((n, n), np.inf), -1)  # stretches that end before they begin
     both = np.zeros((n + 1, n + 1))
     one = np.zeros(n + 1)
-    worth = -np.inf
+    worth, found = -np.inf, 0.0
     for _ in range(_MOST_MOVES):
         both[1:, 1:] = np.cumsum(np.cumsum(np.outer(path, path) * inner, axis=0), axis=1)
         one[1:] = np.cumsum(path * pull)
@@ -142,14 +155,15 @@ def _climbed(inner: FloatArray, pull: FloatArray, path: FloatArray) -> tuple[Flo
         turns = 1 - 2 * (path[1:] != path[:-1]).astype(np.int64)
         edges = np.concatenate([[0], turns])[:, None] + np.concatenate([turns, [0]])[None, :]
         count = int(np.sum(turns < 0)) + edges
-        value = 0.5 * along**2 / np.maximum(across + both[n, n], 1e-9) - price[count] - empty
+        gain = 0.5 * along**2 / np.maximum(across + both[n, n], 1e-9)
+        value = gain - price[count] - empty
         best = int(np.argmax(value))
         if value.flat[best] <= worth + 1e-9:
             break
-        worth = float(value.flat[best])
+        worth, found = float(value.flat[best]), float(gain.flat[best])
         path = path.copy()
         path[best // n : best % n + 1] *= -1.0
-    return path, worth
+    return path, found, found - worth
 
 
 def _choices(n: int, k: int) -> float:

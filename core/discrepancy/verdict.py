@@ -23,6 +23,8 @@ _FAULTS = frozenset(
 _MANY, _LARGE_FOUND, _MUCH = 30, 1.35, 1e6
 _BEYOND = 1e-4
 _GROSS = 60.0
+_NAMED = ("mount", "run", "direction")
+"""Structure in these has names, and is no trace of an effect without one."""
 FEWEST = 3
 """Degrees of freedom below which nothing is said."""
 
@@ -150,7 +152,7 @@ def doubted(
     the only trace of it, or that one curve does nearly as much as they do together (`imitated`).
     Which of them is wrong then nobody can say; what stands out by far is not in doubt.
     """
-    rest = min((where.p_value for where in left), default=1.0)
+    rest = min((one.p_value for one in left if one.regressor not in _NAMED), default=1.0)
     if not steps:
         return steps
     last = steps[-1]

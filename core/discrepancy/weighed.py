@@ -10,7 +10,8 @@ from core.discrepancy.two_levels import SURE, two_levels
 _SHARE = 0.65
 """Part of the evidence of several names that one unknown curve must reach to be their rival."""
 
-_TIE = 5.0
+_AHEAD = 3.0
+"""Nats by which two levels must lead names to replace them; with less of a lead they are rivals."""
 
 
 def weighed(engine: Engine, forced: tuple[Slot, ...]) -> tuple[State, Scored | None, bool]:
@@ -25,12 +26,12 @@ def weighed(engine: Engine, forced: tuple[Slot, ...]) -> tuple[State, Scored | N
     levels = two_levels(engine, plain, found)
     imitated = False
     if levels is not None and levels.evidence > SURE and unknown is None:
-        if levels.evidence > levels.named:
+        if levels.evidence > levels.named + _AHEAD:
             return plain, _scored(engine, levels.evidence, levels.path), False
         beside = two_levels(engine, state)
         if beside is not None and beside.evidence > SURE:
             unknown = _scored(engine, beside.evidence, beside.path)
-        imitated = levels.evidence > levels.named - _TIE
+        imitated = levels.evidence > levels.named
     if len(found) > 1:
         curve = search.unknown(plain).evidence
         one = max(score.evidence for score in search.scores(plain).values())

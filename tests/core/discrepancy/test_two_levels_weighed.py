@@ -37,7 +37,8 @@ def test_no_path_is_better_than_the_one_that_is_climbed_to():
             price = log(comb(n - 1, count)) + log(n)
             return 0.5 * float(path @ pull) ** 2 / float(path @ inner @ path) - price
 
-        path, value = _climbed(inner, pull, np.where(pull > 0.0, 1.0, -1.0))
+        path, gain, price = _climbed(inner, pull, np.where(pull > 0.0, 1.0, -1.0))
+        value = gain - price
         assert value == pytest.approx(worth(path))
         near = [
             worth(np.concatenate([path[:i], -path[i:j], path[j:]]))
@@ -71,6 +72,18 @@ def test_drift_alone_is_not_taken_for_two_levels():
 def test_a_jump_stays_a_jump():
     story = explain(head_run(lambda q: 12.0 * WHITE * (q.t > 1500.0), FORTY_EIGHT, seed=2), QUICK)
     assert [step.effect for step in story.steps] == ["bias_jump"]
+
+
+def test_hysteresis_has_two_levels_as_well_and_keeps_its_name():
+    def hysteretic(truth: Truth) -> np.ndarray:
+        up = np.diff(truth.a[:, 2], prepend=truth.a[0, 2]) > 0.0
+        return 3.0 * WHITE * np.where(up, 1.0, -1.0)
+
+    for seed in (1, 3):
+        story = explain(head_run(hysteretic, FORTY_EIGHT, seed=seed), QUICK)
+        (step,) = story.steps
+        assert step.effect == "hysteresis"
+        assert UNKNOWN not in step.indistinguishable_from
 
 
 def test_names_that_one_curve_replaces_are_all_in_doubt():
