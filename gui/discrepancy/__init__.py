@@ -14,6 +14,10 @@ rerun             the found model on the simulated bench, beside the data
 scene             buttons, the judgement, the tab without a run
 picture           a story -> both plots
 words             names of regressors and verdicts
+trial             sealed cases for practice; needs no Qt
+trial_presenter   a case looked at, named, opened, scored
+trial_state       everything that the page of trials shows
+trial_view        that page
 exporting         report, results, model with the effects
 report            the whole story as HTML and PDF
 paper_view        ladder and plots as pictures on paper

@@ -28,7 +28,7 @@ def play(stage: Stage) -> Told:
     hidden = f"{ROLE}/{EFFECT}:{SIZE}"
     # The window stands beside a rig that sends slowly; the session is measured as fast as it goes.
     stage.connect("pointer", speed=1, effect=hidden)
-    url = f"sim://pointer?speed=max&seed=2&name=bent{time.time_ns()}&effect={hidden}"
+    url = f"sim://pointer?speed=max&seed=3&name=bent{time.time_ns()}&effect={hidden}"
     session = stage.sessions / "bent_pw09"
     simulate_session(Order(url, mixed_twice(), "accelerometer", _STATED), session)
     head = stage.show(HEAD)

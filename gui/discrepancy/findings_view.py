@@ -24,6 +24,9 @@ from gui.widgets.result_table import ResultTable
 from gui.widgets.theme import current_theme
 from gui.widgets.word_label import WordLabel
 
+_TRIAL = 3
+"""Place of the page of blind trials."""
+
 
 class FindingsView(QWidget):
     """Judgement above, three pages below, the export at the foot."""
@@ -50,6 +53,7 @@ class FindingsView(QWidget):
             label.setTextFormat(Qt.TextFormat.PlainText)
             label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.source.setForegroundRole(self.source.palette().ColorRole.PlaceholderText)
+        self._trial = ""
         self.pages = QTabWidget()
         self.pages.setDocumentMode(True)
         self._columns: list[QVBoxLayout] = []
@@ -109,8 +113,9 @@ class FindingsView(QWidget):
             or (old.notes != state.notes)
         ):
             self._render_candidates(state, rebuilt=fresh or old.proposals != state.proposals)
-        if fresh or old.following != state.following:
-            self._render_following(state.following)
+        tied = any(len(card.tied) > 1 for card in state.proposals)
+        if fresh or old.following != state.following or old.proposals != state.proposals:
+            self._render_following(state.following, tied)
         if fresh or old.grade != state.grade:
             self._render_grade(state)
         self._name_pages()
@@ -120,6 +125,19 @@ class FindingsView(QWidget):
         for key, title in formats:
             self._formats.addItem(shown(title), key)
         self._titles = [title for _, title in formats]
+
+    def put_trial(self, page: QWidget) -> None:
+        """Take the page of blind trials; it is there while a case is."""
+        self.pages.addTab(page, "")
+        self.pages.setTabVisible(_TRIAL, False)
+        self._name_pages()
+
+    def show_trial(self, case: str | None) -> None:
+        """Show the page of a case when it begins; None for no case."""
+        self.pages.setTabVisible(_TRIAL, case is not None)
+        if case is not None and case != self._trial:
+            self.pages.setCurrentIndex(_TRIAL)
+        self._trial = case or ""
 
     @property
     def chosen_format(self) -> str:
@@ -156,11 +174,13 @@ class FindingsView(QWidget):
             column.insertWidget(place, NoteLine(note))
             place += 1
 
-    def _render_following(self, cards: tuple[NextCard, ...]) -> None:
+    def _render_following(self, cards: tuple[NextCard, ...], tied: bool) -> None:
         column = self._columns[1]
         _clear(column)
         if not cards:
             text = self.tr("Nothing is undecided: no further measurement is proposed.")
+            if tied:
+                text = self.tr("No series that was tried is likely to tell these names apart.")
             column.insertWidget(0, _text(text))
         for place, card in enumerate(cards):
             column.insertWidget(place, self._next(place, card))
@@ -233,7 +253,8 @@ class FindingsView(QWidget):
         titles = [self.tr("Candidates"), self.tr("Measure next"), self.tr("What can be seen")]
         if count:
             titles[1] = self.tr("Measure next ({count})").format(count=count)
-        for place, title in enumerate(titles):
+        titles.append(self.tr("Blind trial"))
+        for place, title in enumerate(titles[: self.pages.count()]):
             self.pages.setTabText(place, title)
 
     def _retranslate(self) -> None:

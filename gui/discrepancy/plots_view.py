@@ -87,9 +87,7 @@ class RowsPlot(Plot):
             x = float(picture.knots[picture.worst])
             span = float(np.ptp(picture.knots)) or 1.0
             across = (x - float(picture.knots.min())) / span
-            # Within the plot: beyond its highest and lowest point there is no room.
-            above = at < float(np.mean(picture.mean[np.isfinite(picture.mean)]))
-            self.add_words(x, at, picture.worst_words, above, across)
+            self.add_words(x, at, picture.worst_words, at > 0, across)
 
 
 class PlotsView(QWidget):

@@ -48,6 +48,8 @@ class DiscrepancyPresenter(QObject):
 
     changed = Signal(object)
     """A new `StoryState`."""
+    trial_wanted = Signal()
+    """A sealed case is to be made."""
     _phase = Signal(str)
 
     def __init__(
@@ -71,7 +73,7 @@ class DiscrepancyPresenter(QObject):
         self._chosen = ""
         self._regressor = ""
         self._channel = 0
-        self._after = False
+        self._after = self._sealed = False
         self._again: FloatArray | None = None
         self._actions = {
             "find": self.find,
@@ -80,6 +82,7 @@ class DiscrepancyPresenter(QObject):
             "undo": self.undo,
             "play": self.play,
             "calibrate": self.calibrate,
+            "trial": self.trial_wanted.emit,
         }
         self._phase.connect(self._on_phase, Qt.ConnectionType.QueuedConnection)
         messages.action.connect(self._on_action)
@@ -88,6 +91,16 @@ class DiscrepancyPresenter(QObject):
     def story(self) -> Story | None:
         """What is on the page."""
         return self._story
+
+    @property
+    def busy(self) -> str:
+        """What is being done; empty for nothing."""
+        return self._busy
+
+    @property
+    def sealed(self) -> bool:
+        """Whether what is on the page is a case that must not be looked into yet."""
+        return self._sealed
 
     @property
     def state(self) -> StoryState:
@@ -117,7 +130,7 @@ class DiscrepancyPresenter(QObject):
             proposals=proposals_of(story),
             chosen="" if candidate is None else candidate.effect,
             detail=None if candidate is None else detail_of(candidate),
-            following=following_of(story),
+            following=() if self._sealed else following_of(story),
             grade=grade_of(told),
             notes=(*run.notes, *(judged or told).notes),
             actions=self._items(),
@@ -137,12 +150,25 @@ class DiscrepancyPresenter(QObject):
         if self._busy or not names:
             return
         self._asked, self._then_find = tuple(Path(name) for name in names), find
+        self._sealed = False
         self._read(None, None, None)
+
+    def open_sealed(self, work: Callable[[], Story]) -> None:
+        """Put a case on the page in which nothing is looked for until it is unsealed."""
+        if not self._busy:
+            self._sealed, self._asked = True, ()
+            self._messages.clear(SOURCE)
+            self._start("case", work)
+
+    def unseal(self) -> None:
+        """Look for what is hidden in the case on the page."""
+        self._sealed = False
+        self.find()
 
     def find(self) -> None:
         """Look for what is missing."""
         story = self._story
-        if story is not None:
+        if story is not None and not self._sealed:
             self._start("search", lambda: searched(story, self._phase.emit))
 
     def add_effect(self) -> None:
@@ -262,7 +288,7 @@ class DiscrepancyPresenter(QObject):
             self.find()
 
     def _on_failed(self, error: LabError) -> None:
-        self._busy, self._then_find = "", False
+        self._busy, self._then_find, self._sealed = "", False, False
         what = QCoreApplication.translate("Discrepancy", "Model and data cannot be compared")
         self._messages.tell_error(SOURCE, what, error, *mounts_asked(error), *_sensors(error))
         self._tell()
@@ -286,6 +312,7 @@ class DiscrepancyPresenter(QObject):
             self._channel, self._regressor = 0, ""
         elif len(story.told.steps) != len(old.told.steps):
             self._before.append(old)
+            self._chosen = ""
         self._show(story)
         if old is not None and self._before and old.run is story.run:
             self._renew(old)
@@ -349,6 +376,7 @@ class DiscrepancyPresenter(QObject):
             added=bool(self._before),
             again=self._again is not None,
             busy=bool(self._busy),
+            sealed=self._sealed,
         )
 
     def _tell(self) -> None:

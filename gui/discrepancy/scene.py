@@ -12,7 +12,7 @@ from gui.widgets.states import ActionBarState, ActionItem, Tone
 
 
 def actions_of(
-    story: Story | None, *, candidate: bool, added: bool, again: bool, busy: bool
+    story: Story | None, *, candidate: bool, added: bool, again: bool, busy: bool, sealed: bool
 ) -> ActionBarState:
     """The row of buttons.
 
@@ -22,11 +22,14 @@ def actions_of(
     added : something can be taken back
     again : the rows played by the model are shown
     busy : a job runs
+    sealed : a case whose answer is not given yet
     """
-    able = story is not None and story.able and not busy
+    able = story is not None and story.able and not busy and not sealed
     ladder = story is not None and story.ladder is not None
     addable = ladder or (story is not None and story.known is not None)
     nothing = QCoreApplication.translate("Discrepancy", "There is nothing to compare yet.")
+    if sealed:
+        nothing = QCoreApplication.translate("Discrepancy", "The case is sealed: answer first.")
     none = QCoreApplication.translate("Discrepancy", "Find proposes effects first.")
     return ActionBarState(
         (
@@ -85,8 +88,14 @@ def actions_of(
                 "report",
                 QCoreApplication.translate("Discrepancy", "Report"),
                 "Ctrl+E",
-                enabled=story is not None and not busy,
+                enabled=story is not None and not busy and not sealed,
                 why_not=nothing,
+            ),
+            ActionItem(
+                "trial",
+                QCoreApplication.translate("Discrepancy", "Blind Trial"),
+                "F8",
+                enabled=not busy,
             ),
         )
     )

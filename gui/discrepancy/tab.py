@@ -8,6 +8,9 @@ from core.plans.plan import Plan, Step
 from gui.discrepancy.exporting import Exporting
 from gui.discrepancy.follow_up import FollowUp
 from gui.discrepancy.presenter import DiscrepancyPresenter
+from gui.discrepancy.trial_presenter import TrialPresenter
+from gui.discrepancy.trial_state import TrialState
+from gui.discrepancy.trial_view import TrialView
 from gui.discrepancy.view import DiscrepancyView
 from gui.services import Services
 
@@ -26,8 +29,15 @@ class DiscrepancyTab(QObject):
             parent=self,
         )
         self.view = DiscrepancyView(self.presenter)
+        self.trial = TrialPresenter(self.presenter, services.settings, services.messages, self)
+        self.trial_view = TrialView(self.trial)
+        self.view.findings.put_trial(self.trial_view)
+        self.trial.changed.connect(self._on_trial)
         self.exporting = Exporting(
-            lambda: self.presenter.story, services.root, services.messages, self
+            lambda: None if self.presenter.sealed else self.presenter.story,
+            services.root,
+            services.messages,
+            self,
         )
         self.follow_up = FollowUp(
             lambda: self.presenter.story,
@@ -78,6 +88,10 @@ class DiscrepancyTab(QObject):
         if story is not self._named:
             self._named = story
             self._propose(self.view.findings.chosen_format)
+
+    def _on_trial(self, state: TrialState | None) -> None:
+        self.trial_view.render(state)
+        self.view.findings.show_trial(None if state is None else state.title)
 
     def _propose(self, key: str) -> None:
         self.view.findings.show_name(self.exporting.propose(key))

@@ -22,6 +22,7 @@ def phase_words(key: str) -> str:
     """Which part of the work is being done."""
     words = {
         "reading": QCoreApplication.translate("Discrepancy", "Reading the rows …"),
+        "case": QCoreApplication.translate("Discrepancy", "Measuring a sealed case …"),
         "floor": QCoreApplication.translate("Discrepancy", "Estimating the noise floor …"),
         "where": QCoreApplication.translate("Discrepancy", "Looking where the residuals are …"),
         "search": QCoreApplication.translate("Discrepancy", "Trying all effects, also in sets …"),
@@ -64,6 +65,7 @@ def regressor_words(key: str) -> str:
         "a_z": QCoreApplication.translate("Discrepancy", "a_z, along case Z"),
         "order": QCoreApplication.translate("Discrepancy", "Order of measuring"),
         "t_s": QCoreApplication.translate("Discrepancy", "Time"),
+        "since_mounting": QCoreApplication.translate("Discrepancy", "Time since the mounting"),
         "temperature_c": QCoreApplication.translate("Discrepancy", "Temperature"),
         "temperature_rate": QCoreApplication.translate("Discrepancy", "Rate of temperature"),
         "position": QCoreApplication.translate("Discrepancy", "Position, number"),

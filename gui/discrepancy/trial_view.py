@@ -1,0 +1,134 @@
+"""The page of blind trials: the seal, the names to tick, the answer, the score."""
+
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtWidgets import (
+    QHBoxLayout,
+    QListWidget,
+    QListWidgetItem,
+    QPushButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from gui.discrepancy.trial_presenter import TrialPresenter
+from gui.discrepancy.trial_state import TrialState
+from gui.languages.shown import shown
+from gui.widgets.theme import current_theme
+from gui.widgets.word_label import WordLabel
+
+
+class TrialView(QWidget):
+    """The widget of the page.
+
+    Parameters
+    ----------
+    presenter : what clicks call
+    """
+
+    def __init__(self, presenter: TrialPresenter, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._presenter = presenter
+        self._state: TrialState | None = None
+        self._rendering = False
+        unit = self.fontMetrics().height()
+        self.title, self.seal, self.asked = WordLabel(), WordLabel(), WordLabel()
+        self.answer, self.score, self.lines = WordLabel(), WordLabel(), WordLabel()
+        self.names = QListWidget()
+        self.names.itemChanged.connect(self._on_ticked)
+        self.reveal, self.again = QPushButton(), QPushButton()
+        self.reveal.clicked.connect(presenter.open_seal)
+        self.again.clicked.connect(presenter.begin)
+        hands = QHBoxLayout()
+        hands.addWidget(self.reveal)
+        hands.addWidget(self.again)
+        hands.addStretch(1)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, unit // 2, unit // 2, unit // 2)
+        column.setSpacing(unit // 3)
+        for label in (self.title, self.seal, self.asked):
+            column.addWidget(label)
+        column.addWidget(self.names, 1)
+        column.addWidget(self.answer)
+        column.addLayout(hands)
+        column.addWidget(self.lines)
+        column.addWidget(self.score)
+        for label in (self.title, self.seal, self.asked, self.answer, self.score, self.lines):
+            label.setWordWrap(True)
+            label.setTextFormat(Qt.TextFormat.PlainText)
+            label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        for label in (self.title, self.score):
+            font = label.font()
+            font.setBold(True)
+            label.setFont(font)
+        for label in (self.seal, self.asked):
+            label.setForegroundRole(label.palette().ColorRole.PlaceholderText)
+        self._retranslate()
+
+    def render(self, state: TrialState | None) -> None:
+        """Show a state; None leaves what is there, for the page is hidden."""
+        if state is None or state == self._state:
+            return
+        self._state = state
+        self.title.setText(state.title)
+        # A hash has no spaces to break at.
+        parts = [state.seal[place : place + 16] for place in range(0, len(state.seal), 16)]
+        self.seal.setText(self.tr("Sealed by SHA-256: {seal}").format(seal=" ".join(parts)))
+        self._render_names(state)
+        self.answer.setText(self.tr("Your answer: {names}").format(names=shown(state.answer)))
+        self.lines.setText("\n".join(shown(line) for line in state.lines))
+        self.lines.setVisible(state.opened)
+        self.score.setText(state.score)
+        self.reveal.setEnabled(state.can_open)
+        self.again.setEnabled(state.can_begin)
+        for widget in (self.names, self.asked):
+            widget.setVisible(not state.opened)
+        self._colour()
+
+    def _render_names(self, state: TrialState) -> None:
+        self._rendering = True
+        keys = [self.names.item(i).data(_KEY) for i in range(self.names.count())]
+        if keys != [row.key for row in state.names]:
+            self.names.clear()
+            for row in state.names:
+                item = QListWidgetItem(shown(row.name))
+                item.setData(_KEY, row.key)
+                item.setFlags(item.flags() | Qt.ItemFlag.ItemIsUserCheckable)
+                item.setToolTip(shown(row.plain))
+                self.names.addItem(item)
+        for place, row in enumerate(state.names):
+            ticked = Qt.CheckState.Checked if row.ticked else Qt.CheckState.Unchecked
+            self.names.item(place).setCheckState(ticked)
+        self._rendering = False
+
+    def _on_ticked(self, item: QListWidgetItem) -> None:
+        if not self._rendering:
+            on = item.checkState() == Qt.CheckState.Checked
+            self._presenter.tick(str(item.data(_KEY)), on)
+
+    def _colour(self) -> None:
+        if self._state is not None:
+            self.lines.setStyleSheet(f"color: {current_theme().tones[self._state.tone]}")
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.LanguageChange:
+            self._retranslate()
+            self.names.clear()
+            state, self._state = self._presenter.state, None
+            self.render(state)
+        elif event.type() == QEvent.Type.PaletteChange and hasattr(self, "_state"):
+            self._colour()
+
+    def _retranslate(self) -> None:
+        self.asked.setText(
+            self.tr(
+                "Look at the residuals against each regressor, tick what you think is hidden"
+                " (nothing, one effect or two), and reveal."
+            )
+        )
+        self.names.setAccessibleName(self.tr("Names to choose from"))
+        self.reveal.setText(self.tr("Reveal"))
+        self.again.setText(self.tr("Next Case"))
+
+
+_KEY = Qt.ItemDataRole.UserRole
