@@ -22,7 +22,7 @@ _SIZE = QSize(1280, 800)
 _PATIENCE_S = 240.0
 _SPEED = 20
 _PAUSE_S = 0.005
-_STILL_S, _STILL_TURNS = 0.4, 30
+_STILL_S, _STILL_TURNS = 0.4, 8
 """So long, and through so many turns, a window is left to itself before its picture is taken."""
 
 
