@@ -4,6 +4,7 @@
 main              entry: no subcommand opens the window, a subcommand runs headless
 app               makes every part and joins them; the table of tabs
 main_window       device strip, tabs, banner, log, the rig's dock
+tab_maker         the tab on the screen first, the others behind it
 hooks             faults of the program, orders of the system
 guidance          what helps beside the tabs: the following four
 distance          the step of a tab over the whole window
