@@ -40,9 +40,16 @@ class Rival:
     weight: float
 
 
-def advise(engine: Engine, state: State) -> tuple[NextMeasurement, ...]:
-    """Return the follow-ups that separate the ambiguity sets best; none where nothing is tied."""
-    sets = tied_sets(engine, state)
+def advise(
+    engine: Engine, state: State, doubtful: frozenset[int] = frozenset()
+) -> tuple[NextMeasurement, ...]:
+    """Return the follow-ups that separate the ambiguity sets best; none where nothing is tied.
+
+    Parameters
+    ----------
+    doubtful : places of steps that may be structure which no effect explains
+    """
+    sets = tied_sets(engine, state, doubtful)
     if not sets:
         return ()
     found = [_judged(engine, sets, follow) for follow in followups_of(engine.problem.run)]
@@ -51,14 +58,17 @@ def advise(engine: Engine, state: State) -> tuple[NextMeasurement, ...]:
     return tuple(found[:_SHOWN])
 
 
-def tied_sets(engine: Engine, state: State) -> list[list[Rival]]:
-    """The rivals of each step that has any."""
+def tied_sets(
+    engine: Engine, state: State, doubtful: frozenset[int] = frozenset()
+) -> list[list[Rival]]:
+    """The rivals of each step that has any, or that is doubtful."""
     sets: list[list[Rival]] = []
     for place in range(len(state.slots)):
         rivals = rivals_of(engine, state, place)
         scored = {name: (one, weight) for name, one, weight in rivals.ranked}
         names = [state.slots[place].name, *rivals.names][:_MOST_RIVALS]
-        if len(names) == 2 and UNKNOWN in names:
+        named = [name for name in names if name != UNKNOWN]
+        if len(named) == 1 and (UNKNOWN in names or place in doubtful):
             # What is unknown predicts nothing; the nearest names stand for it.
             names += [name for name, one, _ in rivals.ranked if one.slot is not None][:_NEAREST]
             names = list(dict.fromkeys(names))

@@ -15,7 +15,7 @@ from core.discrepancy.locate import locate
 from core.discrepancy.power import invisible_of, smallest_of
 from core.discrepancy.problem import COMMON, EACH, Problem
 from core.discrepancy.record import RECORD, explain_record, fact_step
-from core.discrepancy.result import Explanation, Gap, NoiseFloor
+from core.discrepancy.result import UNKNOWN, Explanation, Gap, NoiseFloor
 from core.discrepancy.row_facts import row_facts
 from core.discrepancy.search import Scored
 from core.discrepancy.settings import Settings
@@ -172,6 +172,9 @@ class Ladder:
         noise = engine.floor.result(problem.run.unit)
         left = locate(engine, self.state) if self.slots else ()
         steps = doubted(steps, noise, left, engine.settings.alpha, ROWS, imitated=self.imitated)
+        doubtful = frozenset(
+            place for place, step in enumerate(steps) if UNKNOWN in step.indistinguishable_from
+        )
         after = steps[-1].after if steps else before
         nothing = frozen(np.zeros(len(problem.y)))
         faults = (fact_step(fact, before, nothing) for fact in row_facts(problem.run))
@@ -191,7 +194,9 @@ class Ladder:
             steps=steps,
             candidates=candidates_of(engine, self.state),
             threshold=engine.search.threshold,
-            next_measurements=advise(engine, self.state) if engine.settings.advise else (),
+            next_measurements=advise(engine, self.state, doubtful)
+            if engine.settings.advise
+            else (),
             smallest=smallest,
             invisible=invisible_of(engine),
             untested=problem.untested,

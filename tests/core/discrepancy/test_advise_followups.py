@@ -3,10 +3,11 @@
 import numpy as np
 import pytest
 
+from core.discrepancy.advise import advise
 from core.discrepancy.followups import followups_of
-from core.discrepancy.ladder import explain
+from core.discrepancy.ladder import Ladder, explain
 from core.plans.orientation import Mount
-from tests.core.discrepancy.hidden import head_run, table_run
+from tests.core.discrepancy.hidden import APART, head_run, table_run
 
 ONE = [(run, "X_from", angle) for run in (1, 2) for angle in np.arange(0.0, 360.0, 15.0)]
 
@@ -51,6 +52,25 @@ def test_the_advice_comes_true():
 
 def test_where_nothing_is_tied_nothing_is_advised():
     assert explain(head_run(rows=ONE)).next_measurements == ()
+
+
+def test_a_name_that_may_be_no_name_is_given_the_nearest_names_as_rivals():
+    ladder = Ladder.of(head_run(lambda q: 4e-4 * q.a[:, 2] ** 2, APART, 1)).found()
+    assert [slot.name for slot in ladder.slots] == ["second_order_nonlinearity"]
+    assert advise(ladder.engine, ladder.state) == ()
+    (best, *_) = advise(ladder.engine, ladder.state, frozenset({0}))
+    assert best.probability > 0.5
+    assert "second_order_nonlinearity" in best.why
+    assert "," in best.why.partition("tells apart")[2]
+
+
+def test_a_far_longer_series_is_only_offered_after_a_small_run():
+    dense = "All mountings twice, twice as dense"
+    small = [each for each in followups_of(head_run(rows=ONE)) if each.title == dense]
+    assert [len(each.plan.steps) for each in small] == [5 * 48]
+    assert len({step.head_deg for step in small[0].plan.steps}) == 48
+    large = head_run(rows=[(run, "X_from", at) for run in range(8) for _, _, at in ONE[:24]])
+    assert dense not in [each.title for each in followups_of(large)]
 
 
 def test_lag_and_hysteresis_of_even_steps_are_told_apart_by_mixed_rates():

@@ -1,5 +1,6 @@
 """What stands in no catalogue against the names that imitate it: two levels, one curve for many."""
 
+from dataclasses import replace
 from itertools import product
 from math import comb, log
 
@@ -7,9 +8,10 @@ import numpy as np
 import pytest
 
 from core.discrepancy.ladder import Ladder, explain
-from core.discrepancy.result import UNKNOWN
+from core.discrepancy.result import UNKNOWN, Gap, NoiseFloor, Where
 from core.discrepancy.settings import Settings
 from core.discrepancy.two_levels import SURE, _climbed, two_levels
+from core.discrepancy.verdict import ROWS, USUAL, Limits, doubted, is_excess
 from core.discrepancy.weighed import weighed
 from tests.core.discrepancy.hidden import APART, FORTY_EIGHT, WHITE, Truth, head_run
 
@@ -125,3 +127,30 @@ def test_a_body_that_creeps_after_each_setting_is_unknown_structure():
     story = ladder.found().explanation
     assert story.steps
     assert UNKNOWN in (story.steps[-1].effect, *story.steps[-1].indistinguishable_from)
+
+
+def test_left_over_structure_puts_every_name_in_doubt_that_does_not_stand_out_by_far():
+    run = head_run(lambda q: 4e-4 * q.a[:, 2] ** 2 + 8.0 * WHITE * (q.t > 1500.0), APART, seed=3)
+    story = Ladder.of(run, QUICK).found().explanation
+    weak = [replace(step, evidence=30.0, indistinguishable_from=()) for step in story.steps]
+    steps = (replace(weak[0], evidence=90.0), *weak)
+    left = tuple(replace(where, p_value=0.1) for where in story.where)
+
+    def doubtful(limits: Limits, where: tuple[Where, ...] = left) -> list[bool]:
+        found = doubted(steps, story.noise, where, 0.01, limits)
+        return [UNKNOWN in step.indistinguishable_from for step in found]
+
+    assert doubtful(ROWS) == [False, True, True]
+    assert doubtful(USUAL) == [False, False, False]
+    only_named = tuple(w for w in left if w.regressor in ("mount", "run", "direction"))
+    assert only_named
+    assert doubtful(ROWS, only_named) == [False, False, False]
+
+
+def test_rows_that_leave_more_than_the_noise_are_told_earlier_than_records():
+    gap = Gap(rms=1.0, gap=1.4, chi2_red=1.96, dof=60, p_value=0.005, lack_p=0.5)
+    noise = NoiseFloor(1.0, "V", {}, {}, "y_se", 0)
+    assert is_excess(gap, noise, ROWS)
+    assert not is_excess(gap, noise, USUAL)
+    assert not is_excess(replace(gap, p_value=0.05), noise, ROWS)
+    assert not is_excess(replace(gap, gap=1.2), noise, ROWS)
