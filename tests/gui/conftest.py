@@ -3,7 +3,7 @@
 import gc
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import pytest
 from PySide6.QtWidgets import QApplication
@@ -15,6 +15,7 @@ from gui.widgets.override_guard import guard_overrides
 guard_overrides()
 
 if TYPE_CHECKING:
+    from gui.services import Services
     from tests.gui.window_driver import Driver
 
 
@@ -25,6 +26,43 @@ def _garbage_stays_in_this_thread() -> Iterator[None]:
     yield
     gc.collect()
     gc.enable()
+
+
+@pytest.fixture
+def services(qapp: QApplication, tmp_path: Path) -> "Iterator[Services]":
+    """What the window gives a tab, with real jobs; sessions are in the folder of the test."""
+    from drivers.profile import load_profiles
+    from gui.devices.connection import Connection
+    from gui.jobs import Jobs
+    from gui.messages import Messages
+    from gui.services import Services
+    from gui.settings import Settings
+
+    jobs, messages = Jobs(), Messages()
+    connection = Connection(load_profiles, lambda: tmp_path, messages)
+    settings = Settings(tmp_path / "settings.json")
+    yield Services(
+        connection, jobs, messages, settings, load_profiles, lambda: tmp_path, lambda _: None
+    )
+    connection.close()
+    jobs.close()
+
+
+@pytest.fixture
+def show_tab(qtbot: QtBot, services: "Services") -> "Iterator[Callable[[Any], None]]":
+    """Show tabs as the window does after its first paint; close them at last."""
+    shown: list[Any] = []
+
+    def show(tab: Any) -> None:
+        qtbot.addWidget(tab.view)
+        tab.view.resize(1280, 700)
+        tab.view.show()
+        tab.after_paint()
+        shown.append(tab)
+
+    yield show
+    for tab in shown:
+        tab.close()
 
 
 @pytest.fixture

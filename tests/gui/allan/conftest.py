@@ -1,22 +1,16 @@
 """The tab without the rest of the window, and records with known noise."""
 
-from collections.abc import Iterator
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pytest
-from pytestqt.qtbot import QtBot
 
 from core.arrays import frozen
 from core.records.cvgcom import CvgcomFile, CvgcomHead, channel_of
 from core.records.cvgcom_writer import write_cvgcom
-from drivers.profile import load_profiles
 from gui.allan.tab import AllanTab
-from gui.devices.connection import Connection
-from gui.jobs import Jobs
-from gui.messages import Messages
 from gui.services import Services
-from gui.settings import Settings
 from tests.core.records.noise_records import gyro_noise
 
 TRUTH = {"N": 0.02, "B": 0.0125, "K": 3e-4}
@@ -44,23 +38,11 @@ def records(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
 
 
 @pytest.fixture
-def tab(qtbot: QtBot, tmp_path: Path) -> Iterator[AllanTab]:
+def tab(services: Services, show_tab: Callable[[AllanTab], None]) -> AllanTab:
     """The tab with its plot, on the screen."""
-    jobs, messages = Jobs(), Messages()
-    connection = Connection(load_profiles, lambda: tmp_path, messages)
-    settings = Settings(tmp_path / "settings.json")
-    services = Services(
-        connection, jobs, messages, settings, load_profiles, lambda: tmp_path, lambda _: None
-    )
     made = AllanTab(services)
-    qtbot.addWidget(made.view)
-    made.view.resize(1280, 700)
-    made.view.show()
-    made.after_paint()
-    yield made
-    made.close()
-    connection.close()
-    jobs.close()
+    show_tab(made)
+    return made
 
 
 def idle(tab: AllanTab) -> bool:

@@ -1,6 +1,7 @@
 """The tab on a folder with sessions and calibrations, without the rest of the window."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -9,13 +10,8 @@ from pytestqt.qtbot import QtBot
 from core.procedures.calibration import Calibration
 from core.procedures.dividing_head import calibrate
 from core.records.legacy.reader import read_legacy
-from drivers.profile import load_profiles
 from gui.archive.tab import ArchiveTab
-from gui.devices.connection import Connection
-from gui.jobs import Jobs
-from gui.messages import Messages
 from gui.services import Services
-from gui.settings import Settings
 from tests.core.archive.conftest import SPECIMENS, STATED, calibrated, measured
 
 
@@ -51,33 +47,21 @@ def opened() -> list[tuple[str, Path]]:
 
 
 @pytest.fixture
-def tab(qtbot: QtBot, root: Path, opened: list[tuple[str, Path]]) -> Iterator[ArchiveTab]:
+def tab(
+    qtbot: QtBot, services: Services, root: Path, opened: list[tuple[str, Path]]
+) -> Iterator[ArchiveTab]:
     """The tab, not yet on the screen."""
 
     def open_file(title: str, path: Path) -> bool:
         opened.append((title, path))
         return title != "Accuracy"
 
-    jobs, messages = Jobs(), Messages()
-    connection = Connection(load_profiles, lambda: root, messages)
-    services = Services(
-        connection,
-        jobs,
-        messages,
-        Settings(root.parent / "settings.json"),
-        load_profiles,
-        lambda: root,
-        lambda _: None,
-        open_file=open_file,
-    )
-    made = ArchiveTab(services)
+    made = ArchiveTab(replace(services, root=lambda: root, open_file=open_file))
     qtbot.addWidget(made.view)
     made.view.resize(1280, 700)
     made.after_paint()
     yield made
     made.close()
-    connection.close()
-    jobs.close()
 
 
 def show(tab: ArchiveTab, qtbot: QtBot) -> None:

@@ -1,21 +1,15 @@
 """Compare gyros: files in, one column a unit, the best marked, CSV out."""
 
 import csv
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from pytestqt.qtbot import QtBot
 
 from core.records.legacy.reader import read_legacy
-from drivers.profile import load_profiles
 from gui.comparison.page import ComparisonPage, make_page
 from gui.comparison.tables import BEST
-from gui.jobs import Jobs
-from gui.messages import Messages
 from gui.services import Services
-from gui.settings import Settings
-from tests.gui.fake_bench import FakeConnection
 
 LEGACY = Path(__file__).parents[2] / "data" / "legacy"
 TABLE = LEGACY / "RotationTable_202405151000.txt"
@@ -34,17 +28,11 @@ NOISE = (
 
 
 @pytest.fixture
-def page(qtbot: QtBot, tmp_path: Path) -> Iterator[ComparisonPage]:
-    jobs = Jobs()
-    services = Services(
-        FakeConnection(), jobs, Messages(), Settings(tmp_path / "set.json"), load_profiles,
-        lambda: tmp_path, lambda _: None,
-    )  # fmt: skip
+def page(qtbot: QtBot, services: Services) -> ComparisonPage:
     made = make_page(services)
     qtbot.addWidget(made.widget)
     qtbot.addWidget(made.side)
-    yield made
-    jobs.close()
+    return made
 
 
 def add(page: ComparisonPage, qtbot: QtBot, *paths: Path) -> None:

@@ -1,22 +1,16 @@
 """The tab without the rest of the window, and turn-ons as files."""
 
-from collections.abc import Iterator
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pytest
-from pytestqt.qtbot import QtBot
 
 from core.procedures.drift.simulated import turn_on
 from core.records.run_file import write_run
 from core.samples.run import Run
-from drivers.profile import load_profiles
-from gui.devices.connection import Connection
 from gui.drift.tab import DriftTab
-from gui.jobs import Jobs
-from gui.messages import Messages
 from gui.services import Services
-from gui.settings import Settings
 
 RATE = 20.0
 
@@ -74,21 +68,9 @@ def folder(tmp_path: Path) -> Path:
 
 
 @pytest.fixture
-def tab(qtbot: QtBot, tmp_path: Path) -> Iterator[DriftTab]:
+def tab(services: Services, show_tab: Callable[[DriftTab], None]) -> DriftTab:
     """The tab with its plots, on the screen."""
-    jobs, messages = Jobs(), Messages()
-    connection = Connection(load_profiles, lambda: tmp_path, messages)
-    settings = Settings(tmp_path / "settings.json")
-    services = Services(
-        connection, jobs, messages, settings, load_profiles, lambda: tmp_path, lambda _: None
-    )
     made = DriftTab(services)
-    made.messages = messages
-    qtbot.addWidget(made.view)
-    made.view.resize(1280, 700)
-    made.view.show()
-    made.after_paint()
-    yield made
-    made.close()
-    connection.close()
-    jobs.close()
+    made.messages = services.messages
+    show_tab(made)
+    return made

@@ -1,6 +1,7 @@
 """The tab Methods with real jobs, and runs of every kind on the disk."""
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -12,13 +13,8 @@ from core.procedures.fourier.readings import run_of_angles
 from core.procedures.gyrocompass import run_of_headings
 from core.records.run_file import write_run
 from core.units import DPH_PER_DPS, EARTH_RATE_DPS
-from drivers.profile import load_profiles
-from gui.devices.connection import Connection
-from gui.jobs import Jobs
-from gui.messages import Messages
 from gui.methods.tab import MethodsTab
 from gui.services import Services
-from gui.settings import Settings
 
 HEAD = np.arange(5.0, 401.0, 5.0)
 LATITUDE = 50.45
@@ -31,30 +27,24 @@ def opened() -> list[Plan]:
 
 
 @pytest.fixture
-def unseen_tab(qtbot: QtBot, tmp_path: Path, opened: list[Plan]) -> Iterator[MethodsTab]:
+def unseen_tab(
+    qtbot: QtBot, tmp_path: Path, services: Services, opened: list[Plan]
+) -> Iterator[MethodsTab]:
     """The tab behind another one."""
-    jobs, messages = Jobs(), Messages()
     root = tmp_path / "root"
     root.mkdir()
-    connection = Connection(load_profiles, lambda: root, messages)
-    settings = Settings(tmp_path / "settings.json")
 
     def take(plan: Plan) -> bool:
         opened.append(plan)
         return plan.test != "headings"
 
-    services = Services(
-        connection, jobs, messages, settings, load_profiles, lambda: root, lambda _: None, take
-    )
-    made = MethodsTab(services)
-    made.messages = messages
+    made = MethodsTab(replace(services, root=lambda: root, open_plan=take))
+    made.messages = services.messages
     made.root = root
     qtbot.addWidget(made.view)
     made.view.resize(1280, 700)
     yield made
     made.close()
-    connection.close()
-    jobs.close()
 
 
 @pytest.fixture
