@@ -109,7 +109,6 @@ class MeasuringView(QWidget):
         self._middle.setStretchFactor(1, 2)
         self._middle.setSizes([20 * unit, 22 * unit])
         self._middle.setChildrenCollapsible(False)
-        self.stage.setMinimumHeight(13 * unit)
         self._across = QSplitter(Qt.Orientation.Horizontal)
         for part in (self._left, self._middle, self.results):
             self._across.addWidget(part)
@@ -130,6 +129,11 @@ class MeasuringView(QWidget):
         plan = QHBoxLayout()
         plan.addWidget(self._plan_label)
         plan.addWidget(self._plan, 1)
+        # Titles of plans are long: the field shortens them, and the pane stays narrow.
+        self._plan.setSizeAdjustPolicy(
+            ChoiceField.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+        )
+        self._plan.setMinimumContentsLength(10)
         session = QHBoxLayout()
         session.addWidget(self._session_label)
         session.addWidget(self._session, 1)

@@ -1,5 +1,7 @@
 """The main stage: what to do now, legible from three metres."""
 
+from math import ceil
+
 from PySide6.QtCore import QEvent, QRectF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QColor,
@@ -27,6 +29,8 @@ _DETAIL = (1.7, 1.5, 1.3, 1.15, 1.0)
 """Sizes of the detail, of the window's letters; narrow stages begin with the third."""
 _WIDE_PX = 700
 _BAR_PX = 8
+_LEAST_LINES = 13
+"""Least height of the stage in the window's lines, whatever it says."""
 
 
 class Stage(QWidget):
@@ -123,19 +127,22 @@ class Stage(QWidget):
     def _size_detail(self) -> None:
         """As large as it stands below the headline, so that no line of it is cut."""
         font, unit = QFont(self.font()), self.fontMetrics().height()
-        room = self.height() - 3 * unit - self._headline.heightForWidth(self._headline.width())
+        above = 3 * unit + self._headline.heightForWidth(self._headline.width())
         if not self._next.isHidden():
-            room -= self._next.sizeHint().height()
+            above += self._next.sizeHint().height()
         for factor in _DETAIL if self.width() > _WIDE_PX else _DETAIL[2:]:
             font.setPointSizeF(self.font().pointSizeF() * factor)
-            box = QRectF(0, 0, max(self._headline.width(), 1), 0)
-            words = QFontMetricsF(font).boundingRect(
-                box, Qt.TextFlag.TextWordWrap, self._detail.text()
-            )
-            if words.height() <= room:
+            if self._height_of_words(font) <= self.height() - above:
                 break
         if font != self._detail.font():
             self._detail.setFont(font)
+        self.setMinimumHeight(max(_LEAST_LINES * unit, above + self._height_of_words(self.font())))
+
+    def _height_of_words(self, font: QFont) -> int:
+        """How high the detail stands in a font."""
+        box = QRectF(0, 0, max(self._headline.width(), 1), 0)
+        flag = Qt.TextFlag.TextWordWrap
+        return ceil(QFontMetricsF(font).boundingRect(box, flag, self._detail.text()).height())
 
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002
         theme = current_theme()
