@@ -56,6 +56,8 @@ class FindingsView(QWidget):
         self._trial = ""
         self.pages = QTabWidget()
         self.pages.setDocumentMode(True)
+        self.pages.setUsesScrollButtons(False)
+        self.pages.setElideMode(Qt.TextElideMode.ElideRight)
         self._columns: list[QVBoxLayout] = []
         for _ in range(3):
             page = QWidget()
@@ -253,7 +255,7 @@ class FindingsView(QWidget):
         titles = [self.tr("Candidates"), self.tr("Measure next"), self.tr("What can be seen")]
         if count:
             titles[1] = self.tr("Measure next ({count})").format(count=count)
-        titles.append(self.tr("Blind trial"))
+        titles.append(self.tr("Practice"))
         for place, title in enumerate(titles[: self.pages.count()]):
             self.pages.setTabText(place, title)
 

@@ -104,7 +104,8 @@ class RungView(QWidget):
         super().__init__(parent)
         self._number = rung.number
         unit = self.fontMetrics().height()
-        title = _words(rung.title, bold=True)
+        added, _, name = rung.title.partition("+ ")
+        title = _words(rung.title if added else f"+ {shown(name)}", bold=True)
         head = QHBoxLayout()
         head.addWidget(title, 1)
         if rung.proposed:

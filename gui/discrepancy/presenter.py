@@ -110,7 +110,7 @@ class DiscrepancyPresenter(QObject):
             return empty_state(self._hint(), self._busy, self._items())
         told, judged = story.told, story.proposed
         candidate = self._candidate()
-        verdict, summary, tone = judgement_of(told, judged)
+        verdict, summary, tone = judgement_of(told, judged, sealed=self._sealed)
         run = story.run
         return StoryState(
             title=f"{run.device}, {len(run)} × {len(told.channels)}",

@@ -10,6 +10,8 @@ from gui.discrepancy.working import Story
 from gui.widgets.number_text import fixed
 from gui.widgets.states import ActionBarState, ActionItem, Tone
 
+_REJECTED = 1e-3
+
 
 def actions_of(
     story: Story | None, *, candidate: bool, added: bool, again: bool, busy: bool, sealed: bool
@@ -93,7 +95,7 @@ def actions_of(
             ),
             ActionItem(
                 "trial",
-                QCoreApplication.translate("Discrepancy", "Blind Trial"),
+                QCoreApplication.translate("Discrepancy", "Practice"),
                 "F8",
                 enabled=not busy,
             ),
@@ -101,13 +103,22 @@ def actions_of(
     )
 
 
-def judgement_of(told: Explanation, proposed: Explanation | None) -> tuple[str, str, Tone]:
+def judgement_of(
+    told: Explanation, proposed: Explanation | None, *, sealed: bool = False
+) -> tuple[str, str, Tone]:
     """Headline, sentence and tone; before anything was looked for only whether the model holds."""
     if proposed is not None or told.verdict == "not_enough_data":
         judged = told if proposed is None else proposed
         return verdict_words(judged.verdict), summary_words(judged), TONES[judged.verdict]
     rejected = any(one.p_value < SIGNIFICANT for one in told.where)
+    rejected = rejected or told.before.p_value < _REJECTED
     gap = fixed(told.before.gap, 2)
+    if sealed:
+        words = QCoreApplication.translate("Discrepancy", "A sealed case")
+        template = QCoreApplication.translate(
+            "Discrepancy", "Its gap is {gap} noise floors; what is behind it is yours to name."
+        )
+        return words, template.format(gap=gap), Tone.ACTION
     if rejected:
         template = QCoreApplication.translate(
             "Discrepancy", "Its gap is {gap} noise floors. Find (Space) looks for the reason."

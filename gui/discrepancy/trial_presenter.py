@@ -145,10 +145,15 @@ class TrialPresenter(QObject):
         program = is_right(case.truth, steps)
         self._score = self._score.after(operator=operator, program=program)
         self._tone = Tone.GOOD if operator else Tone.BAD
-        right = QCoreApplication.translate("Trial", "right")
-        wrong = QCoreApplication.translate("Trial", "wrong")
-        words = {True: right, False: wrong}
-        by_program = [" / ".join(effect_words(name) for name in step) for step in steps]
+        words = {
+            True: QCoreApplication.translate("Trial", "correct"),
+            False: QCoreApplication.translate("Trial", "not correct"),
+        }
+        template = QCoreApplication.translate("Trial", "Step {number} of the program: {names}")
+        by_program = (
+            template.format(number=number, names="; ".join(effect_words(name) for name in step))
+            for number, step in enumerate(steps, 1)
+        )
         self._lines = (
             QCoreApplication.translate("Trial", "Hidden: {names}").format(
                 names=_answer(case.truth)
@@ -156,8 +161,9 @@ class TrialPresenter(QObject):
             QCoreApplication.translate("Trial", "You: {names} ({verdict})").format(
                 names=_answer(self._named), verdict=words[operator]
             ),
-            QCoreApplication.translate("Trial", "Program: {names} ({verdict})").format(
-                names="; ".join(by_program) or _answer(()), verdict=words[program]
+            *by_program,
+            QCoreApplication.translate("Trial", "Program: {count} named ({verdict})").format(
+                count=len(steps), verdict=words[program]
             ),
             QCoreApplication.translate(
                 "Trial", "The seal is the SHA-256 of this text: {key}"

@@ -34,6 +34,7 @@ class TrialView(QWidget):
         self.title, self.seal, self.asked = WordLabel(), WordLabel(), WordLabel()
         self.answer, self.score, self.lines = WordLabel(), WordLabel(), WordLabel()
         self.names = QListWidget()
+        self.names.setSpacing(unit // 8)
         self.names.itemChanged.connect(self._on_ticked)
         self.reveal, self.again = QPushButton(), QPushButton()
         self.reveal.clicked.connect(presenter.open_seal)
@@ -47,11 +48,13 @@ class TrialView(QWidget):
         column.setSpacing(unit // 3)
         for label in (self.title, self.seal, self.asked):
             column.addWidget(label)
-        column.addWidget(self.names, 1)
+        column.addWidget(self.names, 100)
         column.addWidget(self.answer)
         column.addLayout(hands)
         column.addWidget(self.lines)
         column.addWidget(self.score)
+        # Takes the room of the names once the seal is open.
+        column.addStretch(1)
         for label in (self.title, self.seal, self.asked, self.answer, self.score, self.lines):
             label.setWordWrap(True)
             label.setTextFormat(Qt.TextFormat.PlainText)

@@ -14,7 +14,7 @@ def added_names(calibration: Calibration) -> tuple[str, ...]:
         for one in own:
             channels.setdefault(one.name, []).append(name)
     return tuple(
-        f"{effect} ({', '.join(dict.fromkeys(names))})" for effect, names in channels.items()
+        f"{effect}: {', '.join(dict.fromkeys(names))}" for effect, names in channels.items()
     )
 
 
@@ -31,10 +31,10 @@ def added_table(calibration: Calibration) -> TableState | None:
                 rows.append(
                     (
                         name,
-                        one.name,
                         parameter.symbol,
                         *value_and_uncertainty(float(fit.values[place]), float(half[place])),
                         parameter.unit.replace("^2", "²").replace("^3", "³"),
+                        one.name,
                         "taken out in use" if one.in_use else "this test alone",
                     )
                 )
@@ -43,7 +43,7 @@ def added_table(calibration: Calibration) -> TableState | None:
     return TableState(
         "Effects that were added to the model",
         "U = plain model + e(input)",
-        ("Sensor", "Effect", "Parameter", "Value", "±U (95 %)", "Unit", "Where"),
+        ("Sensor", "Parameter", "Value", "±U (95 %)", "Unit", "Effect", "Where"),
         tuple(rows),
-        3,
+        2,
     )

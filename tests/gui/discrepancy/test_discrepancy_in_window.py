@@ -58,7 +58,7 @@ def test_what_is_added_goes_into_the_calibration_of_the_head_and_out_again(
     story.presenter.choose("second_order_nonlinearity")
     driver.click(story.view.action_bar.button("add"))
     driver.until(lambda: bool(_effects(head)), _LONG)
-    assert _effects(head) == ["Second-order nonlinearity K2 (acc_x)"]
+    assert _effects(head) == ["Second-order nonlinearity K2: acc_x"]
     driver.until(lambda: not story.presenter.state.busy, _LONG)
     driver.click(story.view.action_bar.button("all"))
     driver.until(lambda: len(_effects(head)) == 2, _LONG)
@@ -96,7 +96,7 @@ def test_a_page_of_the_rate_table_follows_too(open_app: "Callable[[], Driver]", 
     story.presenter.choose("scale_factor_asymmetry")
     driver.click(story.view.action_bar.button("add"))
     driver.until(lambda: bool(_effects(table)), _LONG)
-    assert _effects(table) == ["Scale-factor asymmetry (gyro_z)"]
+    assert _effects(table) == ["Scale-factor asymmetry: gyro_z"]
     driver.until(lambda: not story.presenter.state.busy, _LONG)
     driver.click(story.view.action_bar.button("undo"))
     driver.until(lambda: not _effects(table), _LONG)

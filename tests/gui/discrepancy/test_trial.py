@@ -114,8 +114,9 @@ def test_a_case_is_looked_at_named_and_opened(qtbot: QtBot, tab: DiscrepancyTab)
     assert state is not None
     assert state.tone is Tone.GOOD
     assert "Hidden: Third-order nonlinearity K3" in state.lines[0]
-    assert "(right)" in state.lines[1]
-    assert make_case(7).key in state.lines[3]
+    assert "(correct)" in state.lines[1]
+    assert "Step 1 of the program: Third-order" in state.lines[2]
+    assert make_case(7).key in state.lines[-1]
     assert "Of 7 cases you had 3 right" in state.score
     assert tab.trial._settings.section(SECTION)["cases"] == 7
     assert tab.view.action_bar.button("find").isEnabled()
