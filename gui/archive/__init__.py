@@ -16,4 +16,5 @@ view.py            search and list left, history middle, findings right, actions
 entries_view.py    the list
 history_view.py    a parameter over time, with bars and limits
 date_ticks.py      where an axis of dates has its ticks
+demo.py            its part of the demonstration
 """

@@ -2,4 +2,6 @@
 
 tab.py   the tab put together; `PAGES` names the pages
 view.py  what a page is; list of the pages left, the chosen one beside it
+demo.py, comparison_demo.py
+         their parts of the demonstration
 """
