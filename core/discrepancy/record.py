@@ -16,7 +16,7 @@ from core.discrepancy.gaps import gap_of, held_out_gap, predicted
 from core.discrepancy.locate import locate
 from core.discrepancy.power import invisible_of, smallest_of
 from core.discrepancy.record_advise import advise_record
-from core.discrepancy.record_doubts import has_harmonics, moves_between
+from core.discrepancy.record_doubts import has_harmonics, moves_between, there_and_back
 from core.discrepancy.record_engine import Found, search_record
 from core.discrepancy.record_facts import Fact, facts_of
 from core.discrepancy.record_floor import wanders
@@ -105,7 +105,7 @@ def _story(
         slow = (*slow, unknown_step(engine, state, found.unknown))
     noise = replace(floor, ratios={})
     slow = doubted(slow, noise, left, engine.settings.alpha)
-    slow = tuple(_with_ties(step) for step in slow)
+    slow = there_and_back([_with_ties(step) for step in slow])
     doubtful = {
         "pickup": has_harmonics(engine, state),
         "telegraph": moves_between(engine, state),

@@ -1,15 +1,21 @@
 """What makes a name of a record doubtful: a pickup that is no sine, a telegraph that moves."""
 
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import combinations
+
 import numpy as np
 
 from core.arrays import FloatArray
 from core.discrepancy.engine import Engine
 from core.discrepancy.evidence import block_evidence
+from core.discrepancy.result import Fitted, Step
 from core.discrepancy.slots import Slot, State
 from core.discrepancy.space import orthonormal
 from core.model.catalogue.record_slow import SlowPickup
 
-_PICKUP, _TELEGRAPH = "pickup", "telegraph"
+_PICKUP, _TELEGRAPH, _JUMP = "pickup", "telegraph", "bias_jump"
+_WITHIN = 2.5
 _HARMONICS = (2, 3, 4)
 _ENOUGH = 3.0
 
@@ -50,6 +56,23 @@ def moves_between(engine: Engine, state: State) -> bool:
     arch, slope = np.sin(np.pi * within), within - 0.5
     columns = np.column_stack([side * arch, slope, side * slope])
     return _shows(engine, engine.search.state(others), columns)
+
+
+def there_and_back(steps: Sequence[Step]) -> tuple[Step, ...]:
+    """The steps, jumps of one size there and back tied with a telegraph, which is the same."""
+    jumps = [step for step in steps if step.effect == _JUMP]
+    if not any(_cancel(a.parameters[0], b.parameters[0]) for a, b in combinations(jumps, 2)):
+        return tuple(steps)
+    return tuple(
+        replace(step, indistinguishable_from=(*step.indistinguishable_from, _TELEGRAPH))
+        if step.effect == _JUMP and _TELEGRAPH not in step.indistinguishable_from
+        else step
+        for step in steps
+    )
+
+
+def _cancel(one: Fitted, other: Fitted) -> bool:
+    return abs(one.value + other.value) < _WITHIN * float(np.hypot(one.u, other.u))
 
 
 def _shows(engine: Engine, state: State, columns: FloatArray) -> bool:

@@ -9,7 +9,7 @@ from core.discrepancy.bank import Bank
 from core.discrepancy.engine import under
 from core.discrepancy.ladder import explain
 from core.discrepancy.record import explain_record
-from core.discrepancy.record_doubts import has_harmonics, moves_between
+from core.discrepancy.record_doubts import has_harmonics, moves_between, there_and_back
 from core.discrepancy.record_engine import search_record
 from core.discrepancy.record_floor import usual_floor
 from core.discrepancy.record_followups import follow_records
@@ -66,10 +66,15 @@ def test_a_tie_of_a_settling_and_a_drift_is_broken_by_going_on_and_the_advice_co
     assert all(abs(p.value + fall) > 5.0 * p.u for p in slopes)
 
 
-def test_where_nothing_is_tied_no_record_is_advised():
+def test_where_nothing_is_tied_no_record_is_advised_and_jumps_there_and_back_are_a_telegraph():
     story = explain_record(hour_run(lambda h: 2.5e-4 * (h.t > 1400.0), seed=11))
-    assert story.steps[0].indistinguishable_from == ()
+    jump = story.steps[0]
+    assert jump.indistinguishable_from == ()
     assert story.next_measurements == ()
+    size = jump.parameters[0]
+    for value, tied in ((-size.value, ("telegraph",)), (-2.0 * size.value, ())):
+        other = replace(jump, parameters=(replace(size, value=value), *jump.parameters[1:]))
+        assert [s.indistinguishable_from for s in there_and_back([jump, other])] == [tied, tied]
 
 
 @pytest.mark.parametrize(("form", "doubtful"), [("sine", False), ("sawtooth", True)])
