@@ -250,6 +250,7 @@ class Application(QObject):
         self.ready.emit()
 
     def _remember(self) -> None:
+        """Keep what was chosen at once: a program may end without being closed."""
         if self._made:
             from gui.devices.setup import setups_to_section
 
@@ -340,16 +341,19 @@ class Application(QObject):
         self._look = look
         self.window.menu.show_look(look)
         apply_theme(self._qt, look)
+        self._remember()
 
     def _on_language(self, choice: str) -> None:
         """Speak another language; what paints its words itself is painted once Qt has told all."""
         self.languages.choose(choice)
+        self._remember()
         QTimer.singleShot(0, lambda: [widget.update() for widget in self._qt.allWidgets()])
 
     def _on_volume(self, volume: float) -> None:
         """Take a loudness, and let it be heard."""
         self.sounds.set_volume(volume)
         self._play("done")
+        self._remember()
 
 
 def run(options: Options) -> int:

@@ -130,10 +130,13 @@ def test_every_tab_of_the_table_is_there_and_can_be_walked(open_app: Callable[[]
         assert window.tabs.currentWidget().isVisible()
 
 
-def test_look_sound_and_settings_are_remembered(open_app: Callable[[], Driver]):
+def test_look_sound_and_settings_are_remembered(open_app: Callable[[], Driver], tmp_path: Path):
     first = open_app()
     first.app.window.menu.looks["dark"].trigger()
     first.app.window.menu.volumes["off"].trigger()
+    # The program may be killed before it is closed.
+    kept = json.loads((tmp_path / "set.json").read_text("utf-8"))["window"]
+    assert (kept["look"], kept["volume"]) == ("dark", 0.0)
     panel = first.tab.view.settings
     panel._g.setValue(9.8155)
     assert first.tab.sitting.settings.g_mps2 == 9.8155
