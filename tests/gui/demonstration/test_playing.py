@@ -9,7 +9,9 @@ from gui.main import main
 
 
 @pytest.mark.timeout(240)
-def test_the_window_measures_eight_positions_by_itself(tmp_path: Path) -> None:
+def test_the_window_measures_eight_positions_by_itself(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     out = tmp_path / "demo"
     assert (
         main(["demo", "--part", "head", "--out", str(out), "--json", str(tmp_path / "o.json")]) == 0
@@ -26,3 +28,7 @@ def test_the_window_measures_eight_positions_by_itself(tmp_path: Path) -> None:
     assert (session / "session.json").is_file()
     assert len((session / "positions.jsonl").read_text(encoding="utf-8").splitlines()) >= 8
     assert list(session.glob("OpticalDividingHead_*.txt"))
+    told = capsys.readouterr().out.splitlines()
+    assert "dividing-head-results-light.png" in told
+    assert f"session: {session.relative_to(out)}" in told
+    assert [line for line in told if str(out) in line] == [f"all in {out}"]
