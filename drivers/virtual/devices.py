@@ -15,7 +15,6 @@ from core.model.effect import AXES, Sensor
 from core.model.sensor_model import SensorModel
 from drivers.virtual.noise import NoiseLevel
 
-_LINEAR = ("bias", "scale_factor", "cross_axis")
 _QUIET = NoiseLevel(0.0, 0.0, 0.0)
 
 

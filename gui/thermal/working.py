@@ -1,6 +1,6 @@
 """What is read and computed of a cycle and of a record; no Qt."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -200,8 +200,3 @@ def _tilt(
         return TiltTable(before, tilt_errors(other, thermal, conditions), every, True)
     after, unseen = tilt_left_out(run, thermal, conditions)
     return TiltTable(tilt_errors(run, alone, conditions), after, unseen, False)
-
-
-def names_of(runs: Iterable[Run]) -> str:
-    """What the unit is called."""
-    return ", ".join(dict.fromkeys(run.device for run in runs))

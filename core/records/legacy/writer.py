@@ -8,17 +8,16 @@ significant digits, since two would destroy them.
 
 import os
 from collections.abc import Sequence
-from datetime import datetime
 from pathlib import Path
 
 import numpy as np
 
 from core.arrays import FloatArray, frozen, frozen_int
-from core.errors import FormatError, StorageError
-from core.records.atomic import append_durable, not_stored, sync_folder, write_text_atomic
+from core.errors import FormatError
+from core.records.atomic import append_durable, not_stored, write_text_atomic
 from core.records.legacy.file import LegacyFile
 from core.records.legacy.layout import LegacyLayout, position_numbers, position_of
-from core.records.names import name_in_file, stamp
+from core.records.names import name_in_file
 from core.samples.run import Run
 
 
@@ -47,31 +46,6 @@ def legacy_text(source: Run | LegacyFile, layout: LegacyLayout) -> str:
     if rows.layout.id != layout.id:
         raise FormatError(rows.path, f"holds rows of {rows.layout.title}, not of {layout.title}")
     return "".join(map(_line, [rows] * len(rows), range(len(rows))))
-
-
-def new_legacy_path(folder: Path, layout: LegacyLayout, start: datetime) -> Path:
-    """Create the empty file of a test that starts now; never one that already exists.
-
-    The name is the old programs', ``OpticalDividingHead_YYYYMMDDhhmm.txt`` in local time. They
-    overwrote a test of the same minute; here the second one ends with ``_2``, and so on.
-
-    Raises
-    ------
-    StorageError
-        The file cannot be created.
-    """
-    stem = f"{layout.stem}_{stamp(start)}"
-    for count in range(1, 1000):
-        path = folder / (f"{stem}.txt" if count == 1 else f"{stem}_{count}.txt")
-        try:
-            path.open("xb").close()
-            sync_folder(folder)
-        except FileExistsError:
-            continue
-        except OSError as error:
-            raise not_stored(path, error, "nothing has been measured yet") from error
-        return path
-    raise StorageError(f"{folder}: a thousand tests of the same minute; choose another folder")
 
 
 def append_row(path: Path, rows: LegacyFile) -> None:

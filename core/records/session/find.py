@@ -1,42 +1,15 @@
 """Where sessions stand, and which of them wait to be continued."""
 
 from dataclasses import dataclass
-from datetime import datetime
 from pathlib import Path
 
-from core.errors import FormatError, StorageError
-from core.plans.plan import Plan
-from core.records.atomic import not_stored, sync_folder
-from core.records.names import safe_name
+from core.errors import FormatError
 from core.records.session.record import START_NAME, SessionRecord, read_session
 
 
 def default_root() -> Path:
     """The folder that holds all sessions, unless the user chooses another one."""
     return Path.home() / "CalRig"
-
-
-def new_session_folder(root: Path, started: datetime, device: str, plan: Plan) -> Path:
-    """Make an empty folder for a session; never one that already exists.
-
-    Raises
-    ------
-    StorageError
-        It cannot be made.
-    """
-    name = f"{started:%Y%m%d_%H%M}_{safe_name(device)}_{safe_name(plan.id)}"
-    for count in range(1, 1000):
-        folder = root / (name if count == 1 else f"{name}_{count}")
-        try:
-            folder.mkdir(parents=True)
-            # Until its name is on the disk, a power cut takes the folder with all that is in it.
-            sync_folder(root)
-        except FileExistsError:
-            continue
-        except OSError as error:
-            raise not_stored(folder, error, "nothing has been measured yet") from error
-        return folder
-    raise StorageError(f"{root}: a thousand sessions of the same minute; choose another folder")
 
 
 @dataclass(frozen=True, slots=True, eq=False)

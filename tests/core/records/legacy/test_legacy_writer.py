@@ -1,6 +1,5 @@
 import json
 from dataclasses import replace
-from datetime import datetime
 from pathlib import Path
 
 import numpy as np
@@ -20,7 +19,6 @@ from core.records.legacy.writer import (
     append_row,
     legacy_rows,
     legacy_text,
-    new_legacy_path,
     write_legacy,
 )
 
@@ -126,23 +124,11 @@ def test_rate_numbers_without_steps_follow_the_rates():
     assert legacy_rows(shuffled, ROTATION_TABLE).column("rate number").tolist() == [1, 0, 2, 1]
 
 
-def test_a_test_of_the_same_minute_gets_its_own_file(tmp_path):
-    start = datetime(2024, 5, 13, 14, 5)
-    names = [new_legacy_path(tmp_path, CLBACC, start).name for _ in range(3)]
-    assert names == [
-        "OpticalDividingHead_202405131405.txt",
-        "OpticalDividingHead_202405131405_2.txt",
-        "OpticalDividingHead_202405131405_3.txt",
-    ]
-    file = read_legacy(SPECIMENS / names[0])
-    append_row(tmp_path / names[1], file)
-    assert read_legacy(tmp_path / names[1]).to_run().meta["start_local"] == "2024-05-13T14:05"
-
-
 def test_rows_are_appended_one_by_one(tmp_path):
     file = read_legacy(SPECIMENS / "OpticalDividingHead_202405140930.txt")
     run = file.to_run()
-    path = new_legacy_path(tmp_path, POINTER, datetime(2024, 5, 14, 9, 30))
+    path = tmp_path / "OpticalDividingHead_202405140930.txt"
+    path.touch()
     for i in range(len(run)):
         append_row(path, legacy_rows(run.rows([i]), POINTER))
         assert len(read_legacy(path)) == i + 1
@@ -152,8 +138,6 @@ def test_rows_are_appended_one_by_one(tmp_path):
 def test_a_folder_that_cannot_be_written(tmp_path):
     file = read_legacy(SPECIMENS / "Accuracy_202405141110.txt")
     nowhere = tmp_path / "none"
-    with pytest.raises(StorageError, match="nothing has been measured"):
-        new_legacy_path(nowhere, ACCURACY, datetime(2024, 5, 13, 14, 5))
     with pytest.raises(StorageError, match="earlier rows are untouched"):
         append_row(nowhere / "a.txt", file)
     with pytest.raises(StorageError, match="choose another folder"):

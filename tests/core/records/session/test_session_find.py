@@ -1,41 +1,8 @@
 import os
-from datetime import datetime
 from pathlib import Path
 
-import pytest
-
-from core.errors import StorageError
-from core.records.session.find import (
-    default_root,
-    new_session_folder,
-    newest_session,
-    unfinished,
-)
+from core.records.session.find import default_root, newest_session, unfinished
 from core.records.session.store import Session
-
-
-def test_folders_are_named_by_time_device_and_plan(tmp_path, start):
-    when = datetime(2024, 5, 14, 9, 30, 5)
-    folders = [new_session_folder(tmp_path / "root", when, "../PW 09", start.plan) for _ in "ab"]
-    assert [folder.name for folder in folders] == [
-        "20240514_0930_PW_09_pointer_8",
-        "20240514_0930_PW_09_pointer_8_2",
-    ]
-    assert all(folder.is_dir() and folder.parent == tmp_path / "root" for folder in folders)
-
-
-def test_the_name_of_a_new_folder_is_on_the_disk(tmp_path, start, monkeypatch):
-    synced = []
-    monkeypatch.setattr("core.records.session.find.sync_folder", synced.append)
-    new_session_folder(tmp_path / "root", datetime(2024, 5, 14), "PW09", start.plan)
-    assert synced == [tmp_path / "root"]
-
-
-def test_a_root_that_cannot_be_written(tmp_path, start):
-    file = tmp_path / "file"
-    file.write_text("x")
-    with pytest.raises(StorageError, match="nothing has been measured"):
-        new_session_folder(file, datetime(2024, 5, 14), "PW09", start.plan)
 
 
 def test_unfinished_sessions_are_found_newest_first(tmp_path, start, means, clock):
