@@ -70,8 +70,9 @@ class HeadForm(SettingsForm[HeadSettings]):
         column = QVBoxLayout(self._tilter_box)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(self.fontMetrics().height() // 4)
+        # Above its buttons: beside them it would make the form too wide in some languages.
+        column.addWidget(self.caption(lambda: self.tr("Tilter")))
         modes = QHBoxLayout()
-        modes.addWidget(self.caption(lambda: self.tr("Tilter")))
         for button in self._mode_buttons:
             modes.addWidget(button)
         modes.addStretch(1)
@@ -107,10 +108,10 @@ class HeadForm(SettingsForm[HeadSettings]):
             self._free_mount.addItem(f"{mount.replace('_', ' ')} ODH", mount)
         self._free_angle.setSuffix("°")
         self._free_angle.setMinimumWidth(5 * self.fontMetrics().height())
-        grid.addWidget(self.caption(lambda: self.tr("Free angle")), 0, 0, 1, 3)
+        grid.addWidget(self.caption(lambda: self.tr("Free angle")), 0, 0, 1, 2)
+        grid.addWidget(self._add, 0, 2)
         grid.addWidget(self._free_mount, 1, 0)
-        grid.addWidget(self._free_angle, 1, 1)
-        grid.addWidget(self._add, 1, 2)
+        grid.addWidget(self._free_angle, 1, 1, 1, 2)
         grid.setColumnStretch(1, 1)
         return box
 

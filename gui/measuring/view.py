@@ -12,6 +12,7 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QPushButton,
     QSplitter,
+    QToolButton,
     QVBoxLayout,
     QWidget,
 )
@@ -66,6 +67,8 @@ class MeasuringView(QWidget):
         self.results = ResultsView() if results is None else results
         self.settings = settings
         self._plan_label, self._plan = QLabel(), ChoiceField()
+        self.grade = QToolButton()
+        self.grade.setText("?")
         # A plan of a long title does not take the stage's room; its end is in the tool tip.
         self._plan.setSizeAdjustPolicy(
             ChoiceField.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
@@ -106,7 +109,7 @@ class MeasuringView(QWidget):
         self._middle.addWidget(self.stage)
         self._middle.addWidget(self._lower)
         self._middle.setStretchFactor(0, 1)
-        self._middle.setStretchFactor(1, 2)
+        self._middle.setStretchFactor(1, 1)
         self._middle.setSizes([20 * unit, 22 * unit])
         self._middle.setChildrenCollapsible(False)
         self._across = QSplitter(Qt.Orientation.Horizontal)
@@ -129,6 +132,7 @@ class MeasuringView(QWidget):
         plan = QHBoxLayout()
         plan.addWidget(self._plan_label)
         plan.addWidget(self._plan, 1)
+        plan.addWidget(self.grade)
         # Titles of plans are long: the field shortens them, and the pane stays narrow.
         self._plan.setSizeAdjustPolicy(
             ChoiceField.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
@@ -275,6 +279,8 @@ class MeasuringView(QWidget):
     def _retranslate(self) -> None:
         self._plan_label.setText(self.tr("Plan"))
         self._plan.setAccessibleName(self.tr("Plan"))
+        self.grade.setToolTip(self.tr("What can this plan show?"))
+        self.grade.setAccessibleName(self.grade.toolTip())
         self._session_label.setText(self.tr("Session"))
         self._session.setAccessibleName(self.tr("Name of the session's folder"))
         self._new.setText(self.tr("New session"))

@@ -1859,8 +1859,8 @@
         </message>
         <message>
             <location filename="../../gui/discrepancy/findings_view.py" />
-            <source>Blind trial</source>
-            <translation>Слепое испытание</translation>
+            <source>Practice</source>
+            <translation>Тренировка</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/findings_view.py" />
@@ -2243,7 +2243,7 @@
         <message>
             <location filename="../../gui/measuring/live_view.py" />
             <source>Angular Rates</source>
-            <translation>Угловые скорости</translation>
+            <translation>Угл. скорости</translation>
         </message>
         <message>
             <location filename="../../gui/measuring/live_view.py" />
@@ -3830,6 +3830,26 @@
             <translation>{name} не передаёт ни углов, ни трёх акселерометров: здесь нечего проверять. Выберите другое устройство.</translation>
         </message>
         <message>
+            <location filename="../../gui/accuracy/offering.py" />
+            <source>Nearest in the archive: {words}</source>
+            <translation>Ближайшая в архиве: {words}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/accuracy/offering.py" />
+            <source>The check has no calibration: only the unit's own angles are judged.</source>
+            <translation>У проверки нет калибровки: оцениваются только собственные углы изделия.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/accuracy/offering.py" />
+            <source>Use judges the raw codes too, by this calibration.</source>
+            <translation>«Взять» оценит по этой калибровке и коды.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/accuracy/offering.py" />
+            <source>Use</source>
+            <translation>Взять</translation>
+        </message>
+        <message>
             <location filename="../../gui/accuracy/picture.py" />
             <source>{angle} error, deg</source>
             <translation>{angle}: погрешность, deg</translation>
@@ -3893,6 +3913,11 @@
             <location filename="../../gui/accuracy/tab.py" />
             <source>The list Angles stays as it was</source>
             <translation>Список Angles остаётся, как был</translation>
+        </message>
+        <message>
+            <location filename="../../gui/accuracy/tab.py" />
+            <source>Type one angle for every row, in degrees, as 0, 30, 60; or press New session.</source>
+            <translation>Введите по одному углу на каждую строку, в градусах, как 0, 30, 60; или нажмите «Новый сеанс».</translation>
         </message>
         <message>
             <location filename="../../gui/accuracy/tables.py" />
@@ -5145,7 +5170,7 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
             <source>Add to Model</source>
-            <translation>Добавить в модель</translation>
+            <translation>В модель</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
@@ -5189,8 +5214,18 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
-            <source>Blind Trial</source>
-            <translation>Слепое испытание</translation>
+            <source>Practice</source>
+            <translation>Тренировка</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/scene.py" />
+            <source>A sealed case</source>
+            <translation>Запечатанный случай</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/scene.py" />
+            <source>Its gap is {gap} noise floors; what is behind it is yours to name.</source>
+            <translation>Его расхождение {gap} уровней шума; что за ним стоит, назовите вы.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
@@ -5219,13 +5254,18 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
-            <source>right</source>
-            <translation>вправо</translation>
+            <source>correct</source>
+            <translation>верно</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
-            <source>wrong</source>
+            <source>not correct</source>
             <translation>неверно</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/trial_presenter.py" />
+            <source>Step {number} of the program: {names}</source>
+            <translation>Шаг {number} программы: {names}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
@@ -5239,8 +5279,8 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
-            <source>Program: {names} ({verdict})</source>
-            <translation>Программа: {names} ({verdict})</translation>
+            <source>Program: {count} named ({verdict})</source>
+            <translation>Программа: названо {count} ({verdict})</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
@@ -7022,6 +7062,11 @@ Measure the plan fourier_400 (5° to 400° by 5°) or fourier_flip in the tab Di
             <translation>{name} не использовано: {error}</translation>
         </message>
         <message>
+            <location filename="../../gui/accuracy/checking.py" />
+            <source>the archive was not asked for the nearest calibration: {error}</source>
+            <translation>архив не запрошен о ближайшей калибровке: {error}</translation>
+        </message>
+        <message>
             <location filename="../../gui/accuracy/demo.py" />
             <source>Accuracy</source>
             <translation>Точность</translation>
@@ -7035,6 +7080,11 @@ Measure the plan fourier_400 (5° to 400° by 5°) or fourier_flip in the tab Di
             <location filename="../../gui/accuracy/demo.py" />
             <source>the angles were not judged</source>
             <translation>углы не оценены</translation>
+        </message>
+        <message>
+            <location filename="../../gui/accuracy/offering.py" />
+            <source>accuracy calibration</source>
+            <translation>калибровка для проверки точности</translation>
         </message>
         <message>
             <location filename="../../gui/accuracy/results.py" />
@@ -8058,12 +8108,12 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         <message>
             <location filename="../../gui/dividing_head/settings_view.py" />
             <source>α, ang. min.</source>
-            <translation>α, угл. мин</translation>
+            <translation>α, arcmin</translation>
         </message>
         <message>
             <location filename="../../gui/dividing_head/settings_view.py" />
             <source>β, ang. min.</source>
-            <translation>β, угл. мин</translation>
+            <translation>β, arcmin</translation>
         </message>
         <message>
             <location filename="../../gui/dividing_head/settings_view.py" />
@@ -10235,6 +10285,41 @@ Without a command the window opens.</translation>
             <translation>не TOML: {error}</translation>
         </message>
         <message>
+            <location filename="../../core/archive/nearest.py" />
+            <source>No. {id}, {when}, {warmth} °C</source>
+            <translation>№ {id}, {when}, {warmth} °C</translation>
+        </message>
+        <message>
+            <location filename="../../core/archive/nearest.py" />
+            <source>the same day</source>
+            <translation>в тот же день</translation>
+        </message>
+        <message>
+            <location filename="../../core/archive/nearest.py" />
+            <source>No. {id}, {when}</source>
+            <translation>№ {id}, {when}</translation>
+        </message>
+        <message>
+            <location filename="../../core/archive/nearest.py" />
+            <source>{count} days earlier</source>
+            <translation>на {count} [день|дня|дней] раньше</translation>
+        </message>
+        <message>
+            <location filename="../../core/archive/nearest.py" />
+            <source>{count} days later</source>
+            <translation>на {count} [день|дня|дней] позже</translation>
+        </message>
+        <message>
+            <location filename="../../core/archive/nearest.py" />
+            <source>1 days</source>
+            <translation>1 день</translation>
+        </message>
+        <message>
+            <location filename="../../core/archive/nearest.py" />
+            <source>1 day</source>
+            <translation>1 день</translation>
+        </message>
+        <message>
             <location filename="../../core/archive/noise_file.py" />
             <source>is no table: {error}</source>
             <translation>не является таблицей: {error}</translation>
@@ -10598,6 +10683,16 @@ Without a command the window opens.</translation>
             <location filename="../../core/discrepancy/followups.py" />
             <source>another cross axis is vertical</source>
             <translation>вертикальна другая поперечная ось</translation>
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/followups.py" />
+            <source>All mountings twice, twice as dense</source>
+            <translation>Все установки дважды, вдвое гуще</translation>
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/followups.py" />
+            <source>rig, dial and sensor apart, and marks between those of the first plan</source>
+            <translation>стенд, лимб и датчик порознь, и отметки между теми, что в первом плане</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/ladder.py" />
@@ -14371,11 +14466,6 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../core/records/legacy/writer.py" />
-            <source>{folder}: a thousand tests of the same minute; choose another folder</source>
-            <translation>{folder}: тысяча испытаний одной и той же минуты; выберите другую папку</translation>
-        </message>
-        <message>
-            <location filename="../../core/records/legacy/writer.py" />
             <source>holds rows of {title}, not of {title2}</source>
             <translation>содержит строки {title}, а не {title2}</translation>
         </message>
@@ -14428,11 +14518,6 @@ Without a command the window opens.</translation>
             <location filename="../../core/records/legacy/writer.py" />
             <source>row {place}, column {column}: {doubt}</source>
             <translation>строка {place}, столбец {column}: {doubt}</translation>
-        </message>
-        <message>
-            <location filename="../../core/records/legacy/writer.py" />
-            <source>nothing has been measured yet</source>
-            <translation>ещё ничего не измерено</translation>
         </message>
         <message>
             <location filename="../../core/records/means.py" />
@@ -14785,11 +14870,6 @@ Without a command the window opens.</translation>
             <translation>номера событий</translation>
         </message>
         <message>
-            <location filename="../../core/records/session/find.py" />
-            <source>{root}: a thousand sessions of the same minute; choose another folder</source>
-            <translation>{root}: тысяча сеансов одной и той же минуты; выберите другую папку</translation>
-        </message>
-        <message>
             <location filename="../../core/records/session/journal.py" />
             <source>line {line}, {size} bytes</source>
             <translation>строка {line}, {size} [байт|байта|байтов]</translation>
@@ -14898,6 +14978,11 @@ Without a command the window opens.</translation>
             <location filename="../../core/records/session/store.py" />
             <source>no positions of these numbers: {sorted}</source>
             <translation>нет положений с такими номерами: {sorted}</translation>
+        </message>
+        <message>
+            <location filename="../../core/records/session/store.py" />
+            <source>nothing has been measured yet</source>
+            <translation>ещё ничего не измерено</translation>
         </message>
         <message>
             <location filename="../../core/records/text.py" />

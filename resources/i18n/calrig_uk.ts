@@ -1859,8 +1859,8 @@
         </message>
         <message>
             <location filename="../../gui/discrepancy/findings_view.py" />
-            <source>Blind trial</source>
-            <translation>Сліпе випробування</translation>
+            <source>Practice</source>
+            <translation>Вправа</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/findings_view.py" />
@@ -2243,7 +2243,7 @@
         <message>
             <location filename="../../gui/measuring/live_view.py" />
             <source>Angular Rates</source>
-            <translation>Кутові швидкості</translation>
+            <translation>Кут. швидкості</translation>
         </message>
         <message>
             <location filename="../../gui/measuring/live_view.py" />
@@ -3391,7 +3391,7 @@
         <message>
             <location filename="../../gui/measuring/settings_view.py" />
             <source>Settings</source>
-            <translation>Налаштування</translation>
+            <translation>Параметри</translation>
         </message>
     </context>
     <context>
@@ -3830,6 +3830,26 @@
             <translation>{name} не передає ні кутів, ні трьох акселерометрів: тут нічого перевіряти. Виберіть інший пристрій.</translation>
         </message>
         <message>
+            <location filename="../../gui/accuracy/offering.py" />
+            <source>Nearest in the archive: {words}</source>
+            <translation>Найближче в архіві: {words}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/accuracy/offering.py" />
+            <source>The check has no calibration: only the unit's own angles are judged.</source>
+            <translation>Перевірка не має калібрування: оцінюються лише власні кути виробу.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/accuracy/offering.py" />
+            <source>Use judges the raw codes too, by this calibration.</source>
+            <translation>«Узяти» оцінить за цим калібруванням і коди.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/accuracy/offering.py" />
+            <source>Use</source>
+            <translation>Узяти</translation>
+        </message>
+        <message>
             <location filename="../../gui/accuracy/picture.py" />
             <source>{angle} error, deg</source>
             <translation>{angle}: похибка, deg</translation>
@@ -3893,6 +3913,11 @@
             <location filename="../../gui/accuracy/tab.py" />
             <source>The list Angles stays as it was</source>
             <translation>Список Angles лишається, як був</translation>
+        </message>
+        <message>
+            <location filename="../../gui/accuracy/tab.py" />
+            <source>Type one angle for every row, in degrees, as 0, 30, 60; or press New session.</source>
+            <translation>Введіть по одному куту на кожен рядок, у градусах, як 0, 30, 60; або натисніть «Новий сеанс».</translation>
         </message>
         <message>
             <location filename="../../gui/accuracy/tables.py" />
@@ -5189,8 +5214,18 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
-            <source>Blind Trial</source>
-            <translation>Сліпе випробування</translation>
+            <source>Practice</source>
+            <translation>Вправа</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/scene.py" />
+            <source>A sealed case</source>
+            <translation>Запечатаний випадок</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/scene.py" />
+            <source>Its gap is {gap} noise floors; what is behind it is yours to name.</source>
+            <translation>Його розбіжність {gap} рівнів шуму; що за нею стоїть, назвіть ви.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
@@ -5219,13 +5254,18 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
-            <source>right</source>
-            <translation>праворуч</translation>
+            <source>correct</source>
+            <translation>правильно</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
-            <source>wrong</source>
-            <translation>хибно</translation>
+            <source>not correct</source>
+            <translation>неправильно</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/trial_presenter.py" />
+            <source>Step {number} of the program: {names}</source>
+            <translation>Крок {number} програми: {names}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
@@ -5239,8 +5279,8 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
-            <source>Program: {names} ({verdict})</source>
-            <translation>Програма: {names} ({verdict})</translation>
+            <source>Program: {count} named ({verdict})</source>
+            <translation>Програма: названо {count} ({verdict})</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
@@ -7022,6 +7062,11 @@ Measure the plan fourier_400 (5° to 400° by 5°) or fourier_flip in the tab Di
             <translation>{name} не використано: {error}</translation>
         </message>
         <message>
+            <location filename="../../gui/accuracy/checking.py" />
+            <source>the archive was not asked for the nearest calibration: {error}</source>
+            <translation>архів не запитано про найближче калібрування: {error}</translation>
+        </message>
+        <message>
             <location filename="../../gui/accuracy/demo.py" />
             <source>Accuracy</source>
             <translation>Точність</translation>
@@ -7035,6 +7080,11 @@ Measure the plan fourier_400 (5° to 400° by 5°) or fourier_flip in the tab Di
             <location filename="../../gui/accuracy/demo.py" />
             <source>the angles were not judged</source>
             <translation>кути не оцінено</translation>
+        </message>
+        <message>
+            <location filename="../../gui/accuracy/offering.py" />
+            <source>accuracy calibration</source>
+            <translation>калібрування для перевірки точності</translation>
         </message>
         <message>
             <location filename="../../gui/accuracy/results.py" />
@@ -8058,12 +8108,12 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         <message>
             <location filename="../../gui/dividing_head/settings_view.py" />
             <source>α, ang. min.</source>
-            <translation>α, кут. хв</translation>
+            <translation>α, arcmin</translation>
         </message>
         <message>
             <location filename="../../gui/dividing_head/settings_view.py" />
             <source>β, ang. min.</source>
-            <translation>β, кут. хв</translation>
+            <translation>β, arcmin</translation>
         </message>
         <message>
             <location filename="../../gui/dividing_head/settings_view.py" />
@@ -10235,6 +10285,41 @@ Without a command the window opens.</translation>
             <translation>не TOML: {error}</translation>
         </message>
         <message>
+            <location filename="../../core/archive/nearest.py" />
+            <source>No. {id}, {when}, {warmth} °C</source>
+            <translation>№ {id}, {when}, {warmth} °C</translation>
+        </message>
+        <message>
+            <location filename="../../core/archive/nearest.py" />
+            <source>the same day</source>
+            <translation>того самого дня</translation>
+        </message>
+        <message>
+            <location filename="../../core/archive/nearest.py" />
+            <source>No. {id}, {when}</source>
+            <translation>№ {id}, {when}</translation>
+        </message>
+        <message>
+            <location filename="../../core/archive/nearest.py" />
+            <source>{count} days earlier</source>
+            <translation>на {count} [день|дні|днів] раніше</translation>
+        </message>
+        <message>
+            <location filename="../../core/archive/nearest.py" />
+            <source>{count} days later</source>
+            <translation>на {count} [день|дні|днів] пізніше</translation>
+        </message>
+        <message>
+            <location filename="../../core/archive/nearest.py" />
+            <source>1 days</source>
+            <translation>1 день</translation>
+        </message>
+        <message>
+            <location filename="../../core/archive/nearest.py" />
+            <source>1 day</source>
+            <translation>1 день</translation>
+        </message>
+        <message>
             <location filename="../../core/archive/noise_file.py" />
             <source>is no table: {error}</source>
             <translation>не є таблицею: {error}</translation>
@@ -10598,6 +10683,16 @@ Without a command the window opens.</translation>
             <location filename="../../core/discrepancy/followups.py" />
             <source>another cross axis is vertical</source>
             <translation>вертикальною є інша поперечна вісь</translation>
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/followups.py" />
+            <source>All mountings twice, twice as dense</source>
+            <translation>Усі встановлення двічі, удвічі густіше</translation>
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/followups.py" />
+            <source>rig, dial and sensor apart, and marks between those of the first plan</source>
+            <translation>стенд, шкала і датчик окремо, і позначки між тими, що в першому плані</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/ladder.py" />
@@ -14371,11 +14466,6 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../core/records/legacy/writer.py" />
-            <source>{folder}: a thousand tests of the same minute; choose another folder</source>
-            <translation>{folder}: тисяча випробувань тієї самої хвилини; виберіть іншу теку</translation>
-        </message>
-        <message>
-            <location filename="../../core/records/legacy/writer.py" />
             <source>holds rows of {title}, not of {title2}</source>
             <translation>містить рядки {title}, а не {title2}</translation>
         </message>
@@ -14428,11 +14518,6 @@ Without a command the window opens.</translation>
             <location filename="../../core/records/legacy/writer.py" />
             <source>row {place}, column {column}: {doubt}</source>
             <translation>рядок {place}, стовпець {column}: {doubt}</translation>
-        </message>
-        <message>
-            <location filename="../../core/records/legacy/writer.py" />
-            <source>nothing has been measured yet</source>
-            <translation>ще нічого не виміряно</translation>
         </message>
         <message>
             <location filename="../../core/records/means.py" />
@@ -14785,11 +14870,6 @@ Without a command the window opens.</translation>
             <translation>номери подій</translation>
         </message>
         <message>
-            <location filename="../../core/records/session/find.py" />
-            <source>{root}: a thousand sessions of the same minute; choose another folder</source>
-            <translation>{root}: тисяча сеансів тієї самої хвилини; виберіть іншу теку</translation>
-        </message>
-        <message>
             <location filename="../../core/records/session/journal.py" />
             <source>line {line}, {size} bytes</source>
             <translation>рядок {line}, {size} [байт|байти|байтів]</translation>
@@ -14898,6 +14978,11 @@ Without a command the window opens.</translation>
             <location filename="../../core/records/session/store.py" />
             <source>no positions of these numbers: {sorted}</source>
             <translation>немає положень з такими номерами: {sorted}</translation>
+        </message>
+        <message>
+            <location filename="../../core/records/session/store.py" />
+            <source>nothing has been measured yet</source>
+            <translation>ще нічого не виміряно</translation>
         </message>
         <message>
             <location filename="../../core/records/text.py" />

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
     QStyle,
     QStyleOptionComboBox,
     QTabBar,
+    QTableView,
     QWidget,
 )
 
@@ -110,6 +111,12 @@ def _sections(header: QHeaderView) -> Iterator[tuple[str, int, int]]:
             yield text, needed, header.sectionSize(column)
 
 
+def _table(table: QTableView) -> Iterator[tuple[str, int, int]]:
+    off = table.horizontalScrollBarPolicy() is Qt.ScrollBarPolicy.ScrollBarAlwaysOff
+    if off and not isinstance(table.parentWidget(), QTableView):
+        yield "all columns", table.horizontalHeader().length(), table.viewport().width()
+
+
 def _choice(combo: QComboBox) -> Iterator[tuple[str, int, int]]:
     option = QStyleOptionComboBox()
     combo.initStyleOption(option)
@@ -127,6 +134,7 @@ _LINES = (
     (QAbstractButton, _button),
     (QGroupBox, _box),
     (QHeaderView, _sections),
+    (QTableView, _table),
     (QTabBar, _tabs),
     (QComboBox, _choice),
     (QLineEdit, _number),

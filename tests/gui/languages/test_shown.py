@@ -14,6 +14,7 @@ from gui.languages.ts_file import Message, read_ts
 WORDS = {
     "row": "рядок",
     "check only": "лише перевірка",
+    "dial {angle}": "лімб {angle}",
     "No device is connected": "Пристрою немає",
     "{name} is connected": "{name} під'єднано",
     "position": "положення",
@@ -53,6 +54,7 @@ def ukrainian() -> Iterator[None]:
         ("12 rows, 25.0 °C … 70.0 °C, check only", "рядків: 12, 25,0 °C … 70,0 °C, лише перевірка"),
         ("N_gyro, upper limit: not detected", "N_gyro, верхня межа: не виявлено"),
         ("Position 3", "Положення 3"),
+        ("30.5° (dial 330°)", "30,5° (лімб 330°)"),
         ("11:35:33  No device is connected. Wait", "11:35:33  Пристрою немає. Wait"),
         ("PW09 is connected", "PW09 під'єднано"),
         ("  check only", "  лише перевірка"),
