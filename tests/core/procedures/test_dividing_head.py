@@ -266,7 +266,7 @@ def test_three_columns_on_one_axis_are_no_triad() -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("mode", ["residual", "worn head", "known", "setting", "drifting"])
 def test_intervals_cover_the_truth(mode: str) -> None:
-    """2000 sessions of 8 positions, hidden truth, noise as stated."""
+    """1200 sessions of 8 positions, hidden truth, noise as stated."""
     rng = np.random.default_rng(77)
     plan = PLANS["accelerometer_8"]
     bias = np.array([-378.0, -195.0, 130.0])
@@ -277,7 +277,7 @@ def test_intervals_cover_the_truth(mode: str) -> None:
         repeatability=np.nan if mode == "drifting" else 0.0,
     )
     hits = np.zeros((3, 4))
-    trials = 2000
+    trials = 1200
     for _ in range(trials):
         y = naive_output(plan, K_2_2, bias)
         if mode in ("setting", "worn head"):
