@@ -7,6 +7,7 @@ search. Samples that are at fault are left out of what follows.
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from statistics import NormalDist
 
 import numpy as np
 
@@ -183,6 +184,16 @@ def departures(samples: Samples) -> FloatArray:
     return rest / scale if scale > 0.0 else np.zeros_like(rest)
 
 
+def loudest(size: int, windows: int) -> float:
+    """Mean square of so many samples of unit noise that the loudest window hardly ever exceeds.
+
+    The quantile of chi-square after Wilson and Hilferty (1931).
+    """
+    z = NormalDist().inv_cdf(1.0 - CHANCE / windows)
+    part = 2.0 / (9.0 * size)
+    return (1.0 - part + z * math.sqrt(part)) ** 3
+
+
 def _bursts(samples: Samples) -> Iterator[Fact]:
     rest = departures(samples)
     power = np.minimum(rest**2, _CLIP)
@@ -195,7 +206,8 @@ def _bursts(samples: Samples) -> Iterator[Fact]:
             means = power[start : start + count * size].reshape(count, size).mean(axis=1)
             middle = float(np.median(means))
             spread = 1.4826 * float(np.median(np.abs(means - middle)))
-            loud = means > np.maximum(middle + _BURST * spread, _BURST_RATIO**2 * middle)
+            least = max(loudest(size, count), _BURST_RATIO**2) * middle
+            loud = means > np.maximum(middle + _BURST * spread, least)
             noisy[start : start + count * size] |= np.repeat(loud, size)
     if not np.any(noisy) or float(noisy.mean()) > 0.5:
         return

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from core.discrepancy.record_facts import departures, facts_of
+from core.discrepancy.record_facts import departures, facts_of, loudest
 from core.discrepancy.record_problem import Samples
 from core.samples.run import Run
 from tests.core.discrepancy.recorded import WHITE, hour_run
@@ -99,3 +99,19 @@ def test_departures_are_in_units_of_the_noise_also_where_the_record_climbs():
     rest = departures(Samples.of(run))
     assert np.std(rest) == pytest.approx(1.0, abs=0.06)
     assert np.max(np.abs(rest)) < 5.0
+
+
+def test_the_loudest_window_of_sound_noise_stays_below_its_limit():
+    """Seven robust deviations alone are exceeded once in some thousand windowings."""
+    rng = np.random.default_rng(5)
+    beyond = [0, 0]
+    for _ in range(3000):
+        means = np.mean(rng.standard_normal((112, 32)) ** 2, axis=1)
+        middle = np.median(means)
+        spread = 1.4826 * np.median(np.abs(means - middle))
+        beyond[0] += means.max() > middle + 7.0 * spread
+        beyond[1] += means.max() > loudest(32, 112) * middle
+    assert beyond[0] >= 1
+    assert beyond[1] == 0
+    # chi2.isf(1e-5 / 112, 32) / 32 = 2.888
+    assert loudest(32, 112) == pytest.approx(2.888, abs=0.02)
