@@ -182,6 +182,7 @@ class Application(QObject):
             handing.read_measured,
             self._why_busy,
             handing.calibrate_with,
+            handing.grade_plan,
         )
         self._maker = TabMaker(TABS, self.tabs, self.window, services, self)
         self._maker.complete.connect(self._on_complete)

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from core.certificates.measured import Measured
 from core.plans.plan import Plan
-from gui.main_window import CalibratingTab, CertifyingTab, LoadTab, PlanTab, Tab
+from gui.main_window import CalibratingTab, CertifyingTab, GradingTab, LoadTab, PlanTab, Tab
 from gui.services import Addition
 
 
@@ -47,6 +47,13 @@ class Handing:
                     self._show(tab)
                 return True
         return False
+
+    def grade_plan(self, plan: Plan, passes: int) -> None:
+        """Let the tab that can tell what a plan shows do so."""
+        for tab in self._tabs().values():
+            if isinstance(tab, GradingTab):
+                self._show(tab)
+                tab.grade_plan(plan, passes)
 
     def certify(self, measured: Measured) -> None:
         """Hand results to the tab that makes certificates."""

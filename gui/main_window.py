@@ -107,6 +107,15 @@ class CalibratingTab(Protocol):
 
 
 @runtime_checkable
+class GradingTab(Protocol):
+    """A tab that tells what a plan can show."""
+
+    def grade_plan(self, plan: "Plan", passes: int) -> None:
+        """Tell what a plan can show that is walked so often."""
+        ...
+
+
+@runtime_checkable
 class CertifyingTab(Protocol):
     """A tab that makes certificates."""
 

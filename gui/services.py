@@ -37,6 +37,10 @@ def _nobody(_: Addition, __: bool) -> bool:
     return False
 
 
+def _no_grades(_: Plan, __: int) -> None:
+    """Nobody grades plans."""
+
+
 def _no_tab(_: Plan) -> bool:
     """No tab takes plans."""
     return False
@@ -84,6 +88,7 @@ class Services:
     calibrate_with : hands a run with added effects to the tab that calibrates such runs; if told
         so it shows that tab, else only a page that shows this run is renewed; returns whether a
         tab took it
+    grade_plan : tells what a plan, walked so often, can show; shows the tab that does
     """
 
     connection: Connection
@@ -99,3 +104,4 @@ class Services:
     read_measured: Callable[[Path], Measured] = _no_reader
     why_busy: Callable[[], str] = _never_busy
     calibrate_with: Callable[[Addition, bool], bool] = _nobody
+    grade_plan: Callable[[Plan, int], None] = _no_grades

@@ -14,6 +14,8 @@ rerun             the found model on the simulated bench, beside the data
 scene             buttons, the judgement, the tab without a run
 picture           a story -> both plots
 words             names of regressors and verdicts
+plan_grade        what a plan can show before anything is measured; needs no Qt
+grade_view        effects as a list of lights
 trial             sealed cases for practice; needs no Qt
 trial_presenter   a case looked at, named, opened, scored
 trial_state       everything that the page of trials shows

@@ -7,11 +7,11 @@ from PySide6.QtCore import QCoreApplication
 from core.discrepancy.result import Candidate, Explanation, NextMeasurement, Step
 from core.model.catalogue.listing import CATALOGUE
 from core.plans.plan import Plan
-from gui.discrepancy.state import CandidateRow, DetailState, NextCard, ProposalCard
+from gui.discrepancy.state import CandidateRow, DetailState, LightRow, NextCard, ProposalCard
 from gui.discrepancy.words import effect_words, numbers_words, unit_words
 from gui.discrepancy.working import Story, rivals_of
 from gui.widgets.number_text import fixed, significant
-from gui.widgets.states import TableState
+from gui.widgets.states import TableState, Tone
 
 _OTHERS = 4
 
@@ -127,6 +127,36 @@ def grade_of(told: Explanation) -> tuple[TableState, ...]:
     title = QCoreApplication.translate("Discrepancy", "Not to be seen in these rows")
     head = (QCoreApplication.translate("Discrepancy", "effect"), "")
     return (*tables, TableState(title, "", head, tuple(hidden), 2))
+
+
+def lights_of(told: Explanation) -> tuple[LightRow, ...]:
+    """What the rows can show of each effect: the good first."""
+    rows: list[LightRow] = []
+    for each in told.smallest:
+        size = f"{significant(each.size, 2)} {unit_words(each.unit)}"
+        usual = not math.isnan(each.typical)
+        detail = QCoreApplication.translate("Discrepancy", "from {size} on").format(size=size)
+        if usual:
+            detail = QCoreApplication.translate(
+                "Discrepancy", "from {size} on; usual {usual}"
+            ).format(size=size, usual=significant(each.typical, 2))
+        tone = Tone.DOUBT if usual and each.size > each.typical else Tone.GOOD
+        if each.aliases:
+            tone = Tone.DOUBT
+            others = ", ".join(effect_words(alias) for alias in each.aliases)
+            detail = QCoreApplication.translate(
+                "Discrepancy", "{detail}; looks the same: {others}"
+            ).format(detail=detail, others=others)
+        rows.append(LightRow(tone, each.name, detail))
+    unseen = QCoreApplication.translate("Discrepancy", "invisible, whatever its size")
+    rows += [LightRow(Tone.BAD, effect_words(each), unseen) for each in told.invisible]
+    lacks = QCoreApplication.translate("Discrepancy", "needs the column {name}")
+    rows += [
+        LightRow(Tone.BAD, effect_words(each), lacks.format(name=column))
+        for each, column in told.untested.items()
+    ]
+    order = {Tone.GOOD: 0, Tone.DOUBT: 1, Tone.BAD: 2}
+    return tuple(sorted(rows, key=lambda row: order[row.tone]))
 
 
 def _card(number: int, step: Step) -> ProposalCard:

@@ -1,11 +1,13 @@
 """Its part of the demonstration: a bent accelerometer is measured, and the bend is found."""
 
 import time
+from datetime import datetime
 from pathlib import Path
 
 from core.discrepancy.result import Step
 from core.plans.plan import Plan
 from core.plans.plan import Step as Position
+from core.records.names import stamp
 from core.samples.run import Conditions
 from drivers.virtual.session import Order, simulate_session
 from drivers.virtual.truth import Compared
@@ -29,7 +31,7 @@ def play(stage: Stage) -> Told:
     # The window stands beside a rig that sends slowly; the session is measured as fast as it goes.
     stage.connect("pointer", speed=1, effect=hidden)
     url = f"sim://pointer?speed=max&seed=3&name=bent{time.time_ns()}&effect={hidden}"
-    session = stage.sessions / "bent_pw09"
+    session = stage.sessions / f"{stamp(datetime.now())}_PW09_bent"
     simulate_session(Order(url, mixed_twice(), "accelerometer", _STATED), session)
     head = stage.show(HEAD)
     if not isinstance(head, MeasuringTab):

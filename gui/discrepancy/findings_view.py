@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 
 from gui.discrepancy.candidate_view import CandidateView, ChanceBar, ProposalView
 from gui.discrepancy.cause_view import CauseView
+from gui.discrepancy.grade_view import GradeView
 from gui.discrepancy.state import DetailState, NextCard, StoryState
 from gui.languages.shown import shown
 from gui.widgets.fields import ChoiceField
@@ -24,8 +25,8 @@ from gui.widgets.result_table import ResultTable
 from gui.widgets.theme import current_theme
 from gui.widgets.word_label import WordLabel
 
-_TRIAL = 3
-"""Place of the page of blind trials."""
+_GRADE, _TRIAL = 2, 3
+"""Places of what the rows can show, and of blind trials."""
 
 
 class FindingsView(QWidget):
@@ -134,6 +135,10 @@ class FindingsView(QWidget):
         self.pages.setTabVisible(_TRIAL, False)
         self._name_pages()
 
+    def show_grade(self) -> None:
+        """Bring the page to the front that tells what the rows can show."""
+        self.pages.setCurrentIndex(_GRADE)
+
     def show_trial(self, case: str | None) -> None:
         """Show the page of a case when it begins; None for no case."""
         self.pages.setTabVisible(_TRIAL, case is not None)
@@ -218,7 +223,9 @@ class FindingsView(QWidget):
     def _render_grade(self, state: StoryState) -> None:
         column = self._columns[2]
         _clear(column)
-        for place, table in enumerate(state.grade):
+        if state.lights:
+            column.insertWidget(0, GradeView(state.lights))
+        for place, table in enumerate(state.grade, column.count() - 1):
             view = ResultTable()
             view.render(table)
             column.insertWidget(place, view)

@@ -15,6 +15,7 @@ from gui.discrepancy.cards import (
     detail_of,
     following_of,
     grade_of,
+    lights_of,
     proposals_of,
 )
 from gui.discrepancy.handed import addition_of
@@ -73,7 +74,8 @@ class DiscrepancyPresenter(QObject):
         self._chosen = ""
         self._regressor = ""
         self._channel = 0
-        self._after = self._sealed = False
+        self._after = False
+        self._alone = ""
         self._again: FloatArray | None = None
         self._actions = {
             "find": self.find,
@@ -98,9 +100,9 @@ class DiscrepancyPresenter(QObject):
         return self._busy
 
     @property
-    def sealed(self) -> bool:
-        """Whether what is on the page is a case that must not be looked into yet."""
-        return self._sealed
+    def alone(self) -> str:
+        """What is on the page in place of data: ``"case"`` while it is sealed, ``"plan"``."""
+        return self._alone
 
     @property
     def state(self) -> StoryState:
@@ -110,7 +112,7 @@ class DiscrepancyPresenter(QObject):
             return empty_state(self._hint(), self._busy, self._items())
         told, judged = story.told, story.proposed
         candidate = self._candidate()
-        verdict, summary, tone = judgement_of(told, judged, sealed=self._sealed)
+        verdict, summary, tone = judgement_of(told, judged, alone=self._alone)
         run = story.run
         return StoryState(
             title=f"{run.device}, {len(run)} × {len(told.channels)}",
@@ -130,7 +132,8 @@ class DiscrepancyPresenter(QObject):
             proposals=proposals_of(story),
             chosen="" if candidate is None else candidate.effect,
             detail=None if candidate is None else detail_of(candidate),
-            following=() if self._sealed else following_of(story),
+            following=() if self._alone else following_of(story),
+            lights=lights_of(told) if self._alone == "plan" else (),
             grade=grade_of(told),
             notes=(*run.notes, *(judged or told).notes),
             actions=self._items(),
@@ -150,25 +153,31 @@ class DiscrepancyPresenter(QObject):
         if self._busy or not names:
             return
         self._asked, self._then_find = tuple(Path(name) for name in names), find
-        self._sealed = False
+        self._alone = ""
         self._read(None, None, None)
 
-    def open_sealed(self, work: Callable[[], Story]) -> None:
-        """Put a case on the page in which nothing is looked for until it is unsealed."""
+    def open_alone(self, work: Callable[[], Story], kind: str) -> None:
+        """Put rows on the page in which nothing is looked for.
+
+        Parameters
+        ----------
+        work : makes the rows
+        kind : ``"case"``, until it is unsealed; ``"plan"``, by which nothing was measured
+        """
         if not self._busy:
-            self._sealed, self._asked = True, ()
+            self._alone, self._asked = kind, ()
             self._messages.clear(SOURCE)
-            self._start("case", work)
+            self._start(kind, work)
 
     def unseal(self) -> None:
         """Look for what is hidden in the case on the page."""
-        self._sealed = False
+        self._alone = ""
         self.find()
 
     def find(self) -> None:
         """Look for what is missing."""
         story = self._story
-        if story is not None and not self._sealed:
+        if story is not None and not self._alone:
             self._start("search", lambda: searched(story, self._phase.emit))
 
     def add_effect(self) -> None:
@@ -288,7 +297,7 @@ class DiscrepancyPresenter(QObject):
             self.find()
 
     def _on_failed(self, error: LabError) -> None:
-        self._busy, self._then_find, self._sealed = "", False, False
+        self._busy, self._then_find, self._alone = "", False, ""
         what = QCoreApplication.translate("Discrepancy", "Model and data cannot be compared")
         self._messages.tell_error(SOURCE, what, error, *mounts_asked(error), *_sensors(error))
         self._tell()
@@ -376,7 +385,7 @@ class DiscrepancyPresenter(QObject):
             added=bool(self._before),
             again=self._again is not None,
             busy=bool(self._busy),
-            sealed=self._sealed,
+            alone=self._alone,
         )
 
     def _tell(self) -> None:

@@ -4,6 +4,7 @@ from PySide6.QtCore import QCoreApplication
 
 from core.discrepancy.result import Explanation
 from gui.discrepancy.ladder_rows import SIGNIFICANT
+from gui.discrepancy.plan_grade import counts_of
 from gui.discrepancy.state import StoryState
 from gui.discrepancy.words import TONES, summary_words, verdict_words
 from gui.discrepancy.working import Story
@@ -14,7 +15,7 @@ _REJECTED = 1e-3
 
 
 def actions_of(
-    story: Story | None, *, candidate: bool, added: bool, again: bool, busy: bool, sealed: bool
+    story: Story | None, *, candidate: bool, added: bool, again: bool, busy: bool, alone: str
 ) -> ActionBarState:
     """The row of buttons.
 
@@ -24,13 +25,15 @@ def actions_of(
     added : something can be taken back
     again : the rows played by the model are shown
     busy : a job runs
-    sealed : a case whose answer is not given yet
+    alone : what stands there in place of data; see `DiscrepancyPresenter.alone`
     """
-    able = story is not None and story.able and not busy and not sealed
+    able = story is not None and story.able and not busy and not alone
     ladder = story is not None and story.ladder is not None
     addable = ladder or (story is not None and story.known is not None)
     nothing = QCoreApplication.translate("Discrepancy", "There is nothing to compare yet.")
-    if sealed:
+    if alone == "plan":
+        nothing = QCoreApplication.translate("Discrepancy", "Nothing was measured yet.")
+    elif alone:
         nothing = QCoreApplication.translate("Discrepancy", "The case is sealed: answer first.")
     none = QCoreApplication.translate("Discrepancy", "Find proposes effects first.")
     return ActionBarState(
@@ -90,7 +93,7 @@ def actions_of(
                 "report",
                 QCoreApplication.translate("Discrepancy", "Report"),
                 "Ctrl+E",
-                enabled=story is not None and not busy and not sealed,
+                enabled=story is not None and not busy and not alone,
                 why_not=nothing,
             ),
             ActionItem(
@@ -104,16 +107,18 @@ def actions_of(
 
 
 def judgement_of(
-    told: Explanation, proposed: Explanation | None, *, sealed: bool = False
+    told: Explanation, proposed: Explanation | None, *, alone: str = ""
 ) -> tuple[str, str, Tone]:
     """Headline, sentence and tone; before anything was looked for only whether the model holds."""
+    if alone == "plan":
+        return _plan_judged(told)
     if proposed is not None or told.verdict == "not_enough_data":
         judged = told if proposed is None else proposed
         return verdict_words(judged.verdict), summary_words(judged), TONES[judged.verdict]
     rejected = any(one.p_value < SIGNIFICANT for one in told.where)
     rejected = rejected or told.before.p_value < _REJECTED
     gap = fixed(told.before.gap, 2)
-    if sealed:
+    if alone:
         words = QCoreApplication.translate("Discrepancy", "A sealed case")
         template = QCoreApplication.translate(
             "Discrepancy", "Its gap is {gap} noise floors; what is behind it is yours to name."
@@ -131,6 +136,26 @@ def judgement_of(
     )
     words = QCoreApplication.translate("Discrepancy", "No regressor speaks against the plain model")
     return words, template.format(gap=gap), Tone.IDLE
+
+
+def _plan_judged(told: Explanation) -> tuple[str, str, Tone]:
+    """What a plan can show, counted."""
+    if told.verdict == "not_enough_data":
+        words = QCoreApplication.translate("Discrepancy", "This plan can show nothing")
+        meaning = QCoreApplication.translate(
+            "Discrepancy",
+            "Its rows leave nothing that could contradict the plain model: measure more positions,"
+            " and each twice.",
+        )
+        return words, meaning, Tone.BAD
+    alone, tied, hidden = counts_of(told)
+    words = QCoreApplication.translate("Discrepancy", "What this plan can show")
+    template = QCoreApplication.translate(
+        "Discrepancy",
+        "{alone} effects by themselves, {tied} only together with others, {hidden} not at all; for"
+        " usual sensors on a usual head or table.",
+    )
+    return words, template.format(alone=alone, tied=tied, hidden=hidden), Tone.ACTION
 
 
 def empty_state(hint: str, busy: str, items: ActionBarState) -> StoryState:
@@ -154,6 +179,7 @@ def empty_state(hint: str, busy: str, items: ActionBarState) -> StoryState:
         chosen="",
         detail=None,
         following=(),
+        lights=(),
         grade=(),
         notes=(),
         actions=items,

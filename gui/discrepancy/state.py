@@ -125,6 +125,21 @@ class NextCard:
     opens: bool = True
 
 
+@dataclass(frozen=True, slots=True)
+class LightRow:
+    """What the rows can show of one effect.
+
+    Parameters
+    ----------
+    tone : good: at its usual size and alone; doubt: only larger or with others; bad: not at all
+    title, detail : name, and from which size on, or as what, or why not
+    """
+
+    tone: Tone
+    title: str
+    detail: str
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class PictureState:
     """Both plots of one channel against one regressor.
@@ -180,7 +195,7 @@ class StoryState:
     again : the rows played by the model are shown
     proposals, chosen, detail : what could be added; identifier of the chosen one
     following : what to measure next
-    grade : what these rows can show, as tables
+    lights, grade : what these rows can show, effect by effect, and as tables
     notes : every doubt
     actions : the row of buttons
     hint : instead of all that; empty if there is something
@@ -205,6 +220,7 @@ class StoryState:
     chosen: str
     detail: DetailState | None
     following: tuple[NextCard, ...]
+    lights: tuple[LightRow, ...]
     grade: tuple[TableState, ...]
     notes: tuple[Note, ...]
     actions: ActionBarState

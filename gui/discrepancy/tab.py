@@ -7,6 +7,7 @@ from PySide6.QtCore import QObject
 from core.plans.plan import Plan, Step
 from gui.discrepancy.exporting import Exporting
 from gui.discrepancy.follow_up import FollowUp
+from gui.discrepancy.plan_grade import graded
 from gui.discrepancy.presenter import DiscrepancyPresenter
 from gui.discrepancy.trial_presenter import TrialPresenter
 from gui.discrepancy.trial_state import TrialState
@@ -34,7 +35,7 @@ class DiscrepancyTab(QObject):
         self.view.findings.put_trial(self.trial_view)
         self.trial.changed.connect(self._on_trial)
         self.exporting = Exporting(
-            lambda: None if self.presenter.sealed else self.presenter.story,
+            lambda: None if self.presenter.alone else self.presenter.story,
             services.root,
             services.messages,
             self,
@@ -78,6 +79,11 @@ class DiscrepancyTab(QObject):
     def load(self, path: Path) -> None:
         """Take a session's folder or a file, and find out why its model is rejected."""
         self.presenter.open([str(path)], find=True)
+
+    def grade_plan(self, plan: Plan, passes: int) -> None:
+        """Tell what a plan can show that is walked so often."""
+        self.view.findings.show_grade()
+        self.presenter.open_alone(lambda: graded(plan, passes), "plan")
 
     def close(self) -> None:
         """Let go of the plots."""

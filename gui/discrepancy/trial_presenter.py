@@ -104,7 +104,7 @@ class TrialPresenter(QObject):
             made.append(case)
             return story_of(case, SearchSettings(), lambda _: None)
 
-        self._comparison.open_sealed(work)
+        self._comparison.open_alone(work, "case")
 
     def tick(self, name: str, on: bool) -> None:
         """Name an effect, or take the name back."""

@@ -22,6 +22,7 @@ def phase_words(key: str) -> str:
     """Which part of the work is being done."""
     words = {
         "reading": QCoreApplication.translate("Discrepancy", "Reading the rows …"),
+        "plan": QCoreApplication.translate("Discrepancy", "Walking the plan with usual sensors …"),
         "case": QCoreApplication.translate("Discrepancy", "Measuring a sealed case …"),
         "floor": QCoreApplication.translate("Discrepancy", "Estimating the noise floor …"),
         "where": QCoreApplication.translate("Discrepancy", "Looking where the residuals are …"),

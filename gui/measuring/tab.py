@@ -96,6 +96,8 @@ class MeasuringTab(Generic[S], QObject):
         results.changed.connect(self._on_results)
         self.view.results.closed.connect(results.clear)
         self.view.results.explain_requested.connect(self._on_explain)
+        self.view.grade.clicked.connect(self._on_grade)
+        self.view.grade.setVisible(isinstance(results, BendingResults))
         self.view.results.take_out_requested.connect(self._on_take_out)
         self.view.results.explain.setVisible(bool(EXPLAINED.intersection(guide.tests)))
         self.view.results.certificate_requested.connect(self._on_certificate)
@@ -241,6 +243,9 @@ class MeasuringTab(Generic[S], QObject):
     def _on_take_out(self) -> None:
         if isinstance(self.results, BendingResults):
             self.results.take_out(self.sitting.settings, self._bench_folder())
+
+    def _on_grade(self) -> None:
+        self._services.grade_plan(self.sitting.plan, self.sitting.settings.passes)
 
     def _on_explain(self) -> None:
         path = self._source()
