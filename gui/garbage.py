@@ -14,7 +14,7 @@ _PERIOD_MS = 500
 class Collector(QObject):
     """Collects by Python's own thresholds, on a timer of the thread that it is made in.
 
-    What exists when `settle` is called is looked at no more, so that a full collection does not
+    Nothing is collected while the program starts, when hardly anything dies. What exists when `settle` is called is looked at no more, so that a full collection does not
     stop the window for a tenth of a second.
     """
 
@@ -23,12 +23,12 @@ class Collector(QObject):
         gc.disable()
         self._timer = QTimer(self)
         self._timer.timeout.connect(self.collect)
-        self._timer.start(_PERIOD_MS)
 
     def settle(self) -> None:
-        """The program has started: what is there now stays."""
+        """The program has started: what is there now stays, and what comes is collected."""
         gc.collect()
         gc.freeze()
+        self._timer.start(_PERIOD_MS)
 
     def collect(self) -> None:
         """Collect the oldest generation whose time has come."""

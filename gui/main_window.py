@@ -24,6 +24,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from gui.languages.anchors import beside
 from gui.languages.shown import shown
 from gui.messages import Messages
 from gui.widgets.banner import Banner
@@ -231,18 +232,23 @@ class MainWindow(QMainWindow):
         # Nobody changes the tab: what stands in front stays there.
         with QSignalBlocker(self.tabs):
             self.tabs.removeTab(place)
-            self.tabs.insertTab(place, page, "")
+            self.tabs.insertTab(place, page, shown(title))
             self._titles[place] = title
-            self._name_tabs()
+            self._tell_english(place)
             self.tabs.setCurrentIndex(current)
         if empty is not None:
             empty.deleteLater()
 
     def _name_tabs(self) -> None:
-        """Tabs in the language of the window; the English title stays in the tool tip."""
+        """Tabs in the language of the window."""
         for place, title in self._titles.items():
             self.tabs.setTabText(place, shown(title))
-            self.tabs.setTabToolTip(place, title if shown(title) != title else "")
+            self._tell_english(place)
+
+    def _tell_english(self, place: int) -> None:
+        """The English title stays in the tool tip."""
+        title = self._titles[place]
+        self.tabs.setTabToolTip(place, title if shown(title) != title else "")
 
     def put_devices(self, devices: "DevicesView") -> None:
         """Put Device Properties below the strip, closed."""
@@ -351,6 +357,6 @@ class MainWindow(QMainWindow):
         self.menu_button.setShortcut(QKeySequence("F10"))
         self.menu_button.setToolTip(self.tr("Look, sounds, keys, preferences (F10)"))
         self.rig_dock.setWindowTitle(self.tr("Simulated rig"))
-        self._adc.setWindowTitle(self.tr("View ADC Data"))
-        self._stop.setText(self.tr("Stop Device"))
+        self._adc.setWindowTitle(beside(self.tr("View ADC Data")))
+        self._stop.setText(beside(self.tr("Stop Device")))
         self._start.setText(self.tr("Start Device"))

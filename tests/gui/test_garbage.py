@@ -30,6 +30,7 @@ def churn() -> None:
 
 def test_a_worker_frees_nothing_and_the_timer_does(qtbot: QtBot):
     collector = Collector()
+    collector.settle()
     died: list[threading.Thread] = []
     try:
         for _ in range(1000):
