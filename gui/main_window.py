@@ -24,6 +24,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from gui.languages.anchors import beside
 from gui.languages.shown import shown
 from gui.messages import Messages
 from gui.widgets.banner import Banner
@@ -356,6 +357,6 @@ class MainWindow(QMainWindow):
         self.menu_button.setShortcut(QKeySequence("F10"))
         self.menu_button.setToolTip(self.tr("Look, sounds, keys, preferences (F10)"))
         self.rig_dock.setWindowTitle(self.tr("Simulated rig"))
-        self._adc.setWindowTitle(self.tr("View ADC Data"))
-        self._stop.setText(self.tr("Stop Device"))
+        self._adc.setWindowTitle(beside(self.tr("View ADC Data")))
+        self._stop.setText(beside(self.tr("Stop Device")))
         self._start.setText(self.tr("Start Device"))

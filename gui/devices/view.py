@@ -19,6 +19,7 @@ from core.records.names import NO_NAME
 from gui.devices.presenter import MOST, DevicesPresenter
 from gui.devices.setup import BAUDS, DeviceSetup
 from gui.devices.state import PropertiesState
+from gui.languages.anchors import beside
 from gui.languages.shown import shown
 from gui.widgets.word_label import WordLabel
 
@@ -158,7 +159,8 @@ class DevicesView(QWidget):
         for label, text in zip(self._headings, headings, strict=True):
             label.setText(text)
         self._scan.setText(self.tr("Scan"))
-        self._scan.setToolTip(self.tr("Listens at every baud rate; nothing is sent"))
+        tip = self.tr("Listens at every baud rate; nothing is sent")
+        self._scan.setToolTip(beside(self._scan.text(), tip))
         self._refresh.setText(self.tr("Refresh ports"))
         self._cancel.setText(self.tr("Stop scanning"))
         self._ok.setText(self.tr("OK"))

@@ -84,13 +84,24 @@ LABELS = BUTTONS | {
 """All that are translated here; they are told by the tool tip."""
 
 
+_SIGNS = " ✓▴▾"
+"""What stands before or behind the words of a button."""
+
+
 def anchor(label: str) -> str:
     """Return the label that stands below its translation; empty where it is not needed."""
     return label if label in BUTTONS and shown(label) != label else ""
 
 
+def beside(words: str, text: str = "") -> str:
+    """Return words, or the text of their tool tip, with their old label behind."""
+    label = old_label(words)
+    text = text or words
+    return f"{text} ({label})" if label else text
+
+
 def old_label(words: str) -> str:
     """Return what the old programs call a thing that the window names so; empty for English."""
-    words = words.strip()
+    words = words.strip(_SIGNS)
     found = {label for label in originals(words) if label in LABELS and label != words}
     return " / ".join(sorted(label.partition(" {")[0].partition(" ({")[0] for label in found))

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from gui.languages.anchors import beside
 from gui.languages.shown import shown_number
 from gui.widgets.fields import ChoiceField
 from gui.widgets.icons import paint_tone
@@ -145,7 +146,8 @@ class DeviceStrip(QWidget):
 
     def _retranslate(self) -> None:
         self._properties.setText(self.tr("Properties"))
-        self._properties.setToolTip(self.tr("Device Properties: number, port, baud rate, scan"))
+        tip = self.tr("Device Properties: number, port, baud rate, scan")
+        self._properties.setToolTip(beside(self._properties.text(), tip))
         self._orders.setText(self.tr("Device"))
         self._orders.setToolTip(self.tr("View ADC Data, Stop Device"))
         self._device.setAccessibleName(self.tr("Device"))

@@ -4,6 +4,8 @@ from collections.abc import Sequence
 
 from PySide6.QtWidgets import QComboBox, QFormLayout, QLabel, QWidget
 
+from gui.languages.anchors import beside
+
 
 class FieldForm(QFormLayout):
     """Rows of a name and a field.
@@ -30,6 +32,6 @@ class FieldForm(QFormLayout):
         """Write the names and their tool tips, in the order of the fields."""
         for label, field, (name, tip) in zip(self._labels, self._fields, words, strict=True):
             label.setText(name)
-            label.setToolTip(tip)
+            label.setToolTip(beside(name, tip) if tip else "")
             field.setAccessibleName(name)
             field.setToolTip(tip)

@@ -993,6 +993,31 @@
         </message>
         <message>
             <location filename="../../gui/certificate/texts.py" />
+            <source>Process them again in their tab, then press Certificate there.</source>
+            <translation>Обработайте их снова в их вкладке, затем нажмите там «Сертификат».</translation>
+        </message>
+        <message>
+            <location filename="../../gui/certificate/texts.py" />
+            <source>Correct the place that is named, or move the file away and fill in the page Laboratory anew; until then nothing is written over it.</source>
+            <translation>Исправьте названное место или перенесите файл и заполните страницу «Лаборатория» снова; до тех пор он ничем не будет перезаписан.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/certificate/texts.py" />
+            <source>Its PDF and HTML still hold; take its JSON from a copy of the folder.</source>
+            <translation>Его PDF и HTML ещё действуют; возьмите его JSON из копии папки.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/certificate/texts.py" />
+            <source>Type why it holds no longer, then press Withdraw again.</source>
+            <translation>Введите, почему он больше не действует, затем нажмите «Отозвать» снова.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/certificate/texts.py" />
+            <source>Nothing was issued. Put right what is named, then do the same again.</source>
+            <translation>Ничего не выдано. Исправьте названное, затем повторите.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/certificate/texts.py" />
             <source>damaged</source>
             <translation>повреждён</translation>
         </message>
@@ -2459,6 +2484,11 @@
             <location filename="../../gui/measuring/view.py" />
             <source>Plan</source>
             <translation>План</translation>
+        </message>
+        <message>
+            <location filename="../../gui/measuring/view.py" />
+            <source>What can this plan show?</source>
+            <translation>Что может показать этот план?</translation>
         </message>
         <message>
             <location filename="../../gui/measuring/view.py" />
@@ -4880,6 +4910,21 @@ Every session and calibration of the folder of sessions comes here by itself. Im
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
+            <source>from {size} on</source>
+            <translation>от {size}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/cards.py" />
+            <source>from {size} on; usual {usual}</source>
+            <translation>от {size}; обычно {usual}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/cards.py" />
+            <source>{detail}; looks the same: {others}</source>
+            <translation>{detail}; так же выглядят: {others}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/cards.py" />
             <source>{number}. These cannot be told apart yet</source>
             <translation>{number}. Эти пока не различить</translation>
         </message>
@@ -5154,6 +5199,11 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
+            <source>Nothing was measured yet.</source>
+            <translation>Ещё ничего не измерено.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/scene.py" />
             <source>The case is sealed: answer first.</source>
             <translation>Случай запечатан: сначала ответьте.</translation>
         </message>
@@ -5248,6 +5298,26 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
             <translation>Ни один регрессор не свидетельствует против простой модели</translation>
         </message>
         <message>
+            <location filename="../../gui/discrepancy/scene.py" />
+            <source>This plan can show nothing</source>
+            <translation>Этот план не может показать ничего</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/scene.py" />
+            <source>Its rows leave nothing that could contradict the plain model: measure more positions, and each twice.</source>
+            <translation>Его строки не оставляют ничего, что могло бы противоречить простой модели: измерьте больше положений, и каждое дважды.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/scene.py" />
+            <source>What this plan can show</source>
+            <translation>Что может показать этот план</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/scene.py" />
+            <source>{alone} effects by themselves, {tied} only together with others, {hidden} not at all; for usual sensors on a usual head or table.</source>
+            <translation>Эффектов отдельно: {alone}, только вместе с другими: {tied}, совсем нет: {hidden}; для обычных датчиков на обычной головке или столе.</translation>
+        </message>
+        <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
             <source>Case {number}</source>
             <translation>Случай {number}</translation>
@@ -5306,6 +5376,11 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
             <location filename="../../gui/discrepancy/words.py" />
             <source>Reading the rows …</source>
             <translation>Чтение строк …</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/words.py" />
+            <source>Walking the plan with usual sensors …</source>
+            <translation>Прохождение плана с обычными датчиками …</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/words.py" />
@@ -8322,6 +8397,11 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         </message>
         <message>
             <location filename="../../gui/frames/presenter.py" />
+            <source>End what is being measured there, then press Save and connect again.</source>
+            <translation>Завершите измерение, которое там идёт, затем нажмите «Сохранить и подключить» снова.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/presenter.py" />
             <source>The bytes cannot be had</source>
             <translation>Байты получить невозможно</translation>
         </message>
@@ -8342,6 +8422,11 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         </message>
         <message>
             <location filename="../../gui/frames/presenter.py" />
+            <source>Not connected yet</source>
+            <translation>Ещё не подключено</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/presenter.py" />
             <source>{name} is connected</source>
             <translation>{name} подключён</translation>
         </message>
@@ -8359,11 +8444,6 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
             <location filename="../../gui/frames/presenter.py" />
             <source>The device file is not saved</source>
             <translation>Файл устройства не сохранён</translation>
-        </message>
-        <message>
-            <location filename="../../gui/frames/presenter.py" />
-            <source>Not connected yet</source>
-            <translation>Ещё не подключено</translation>
         </message>
         <message>
             <location filename="../../gui/frames/presenter.py" />
@@ -8392,6 +8472,11 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         </message>
         <message>
             <location filename="../../gui/frames/source.py" />
+            <source>End what is being measured there, or choose another port.</source>
+            <translation>Завершите измерение, которое там идёт, или выберите другой порт.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/source.py" />
             <source>No bytes from this port</source>
             <translation>Из этого порта нет байтов</translation>
         </message>
@@ -8412,8 +8497,8 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         </message>
         <message>
             <location filename="../../gui/frames/source.py" />
-            <source>Bytes come, but at no speed do they repeat themselves</source>
-            <translation>Байты поступают, но ни на одной скорости не повторяются</translation>
+            <source>Bytes come, but at no speed do they repeat themselves: choose the BaudRate of the board's manual and Listen, then type Header and Length</source>
+            <translation>Байты поступают, но ни на одной скорости не повторяются: выберите скорость из инструкции платы, нажмите «Слушать», затем введите заголовок и длину</translation>
         </message>
         <message>
             <location filename="../../gui/frames/source.py" />

@@ -993,6 +993,31 @@
         </message>
         <message>
             <location filename="../../gui/certificate/texts.py" />
+            <source>Process them again in their tab, then press Certificate there.</source>
+            <translation>Обробіть їх знову в їхній вкладці, потім натисніть там «Сертифікат».</translation>
+        </message>
+        <message>
+            <location filename="../../gui/certificate/texts.py" />
+            <source>Correct the place that is named, or move the file away and fill in the page Laboratory anew; until then nothing is written over it.</source>
+            <translation>Виправте назване місце або перенесіть файл і заповніть сторінку «Лабораторія» знову; доти його нічим не буде перезаписано.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/certificate/texts.py" />
+            <source>Its PDF and HTML still hold; take its JSON from a copy of the folder.</source>
+            <translation>Його PDF і HTML ще чинні; візьміть його JSON з копії теки.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/certificate/texts.py" />
+            <source>Type why it holds no longer, then press Withdraw again.</source>
+            <translation>Введіть, чому він більше не чинний, потім натисніть «Відкликати» знову.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/certificate/texts.py" />
+            <source>Nothing was issued. Put right what is named, then do the same again.</source>
+            <translation>Нічого не видано. Виправте назване, потім повторіть.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/certificate/texts.py" />
             <source>damaged</source>
             <translation>пошкоджено</translation>
         </message>
@@ -2459,6 +2484,11 @@
             <location filename="../../gui/measuring/view.py" />
             <source>Plan</source>
             <translation>План</translation>
+        </message>
+        <message>
+            <location filename="../../gui/measuring/view.py" />
+            <source>What can this plan show?</source>
+            <translation>Що може показати цей план?</translation>
         </message>
         <message>
             <location filename="../../gui/measuring/view.py" />
@@ -4880,6 +4910,21 @@ Every session and calibration of the folder of sessions comes here by itself. Im
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
+            <source>from {size} on</source>
+            <translation>від {size}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/cards.py" />
+            <source>from {size} on; usual {usual}</source>
+            <translation>від {size}; звичайно {usual}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/cards.py" />
+            <source>{detail}; looks the same: {others}</source>
+            <translation>{detail}; так само виглядають: {others}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/cards.py" />
             <source>{number}. These cannot be told apart yet</source>
             <translation>{number}. Ці поки не розрізнити</translation>
         </message>
@@ -5154,6 +5199,11 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
+            <source>Nothing was measured yet.</source>
+            <translation>Ще нічого не виміряно.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/scene.py" />
             <source>The case is sealed: answer first.</source>
             <translation>Випадок запечатано: спершу дайте відповідь.</translation>
         </message>
@@ -5248,6 +5298,26 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
             <translation>Жоден регресор не свідчить проти простої моделі</translation>
         </message>
         <message>
+            <location filename="../../gui/discrepancy/scene.py" />
+            <source>This plan can show nothing</source>
+            <translation>Цей план не може показати нічого</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/scene.py" />
+            <source>Its rows leave nothing that could contradict the plain model: measure more positions, and each twice.</source>
+            <translation>Його рядки не лишають нічого, що могло б суперечити простій моделі: виміряйте більше положень, і кожне двічі.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/scene.py" />
+            <source>What this plan can show</source>
+            <translation>Що може показати цей план</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/scene.py" />
+            <source>{alone} effects by themselves, {tied} only together with others, {hidden} not at all; for usual sensors on a usual head or table.</source>
+            <translation>Ефектів окремо: {alone}, лише разом з іншими: {tied}, зовсім ні: {hidden}; для звичайних датчиків на звичайній головці чи стенді.</translation>
+        </message>
+        <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
             <source>Case {number}</source>
             <translation>Випадок {number}</translation>
@@ -5306,6 +5376,11 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
             <location filename="../../gui/discrepancy/words.py" />
             <source>Reading the rows …</source>
             <translation>Читання рядків…</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/words.py" />
+            <source>Walking the plan with usual sensors …</source>
+            <translation>Проходження плану зі звичайними датчиками …</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/words.py" />
@@ -8322,6 +8397,11 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         </message>
         <message>
             <location filename="../../gui/frames/presenter.py" />
+            <source>End what is being measured there, then press Save and connect again.</source>
+            <translation>Завершіть вимірювання, що там триває, потім натисніть «Зберегти і під'єднати» знову.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/presenter.py" />
             <source>The bytes cannot be had</source>
             <translation>Байтів неможливо отримати</translation>
         </message>
@@ -8342,6 +8422,11 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         </message>
         <message>
             <location filename="../../gui/frames/presenter.py" />
+            <source>Not connected yet</source>
+            <translation>Ще не під'єднано</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/presenter.py" />
             <source>{name} is connected</source>
             <translation>{name} під'єднано</translation>
         </message>
@@ -8359,11 +8444,6 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
             <location filename="../../gui/frames/presenter.py" />
             <source>The device file is not saved</source>
             <translation>Файл пристрою не збережено</translation>
-        </message>
-        <message>
-            <location filename="../../gui/frames/presenter.py" />
-            <source>Not connected yet</source>
-            <translation>Ще не під'єднано</translation>
         </message>
         <message>
             <location filename="../../gui/frames/presenter.py" />
@@ -8392,6 +8472,11 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         </message>
         <message>
             <location filename="../../gui/frames/source.py" />
+            <source>End what is being measured there, or choose another port.</source>
+            <translation>Завершіть вимірювання, що там триває, або виберіть інший порт.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/frames/source.py" />
             <source>No bytes from this port</source>
             <translation>З цього порту немає байтів</translation>
         </message>
@@ -8412,8 +8497,8 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         </message>
         <message>
             <location filename="../../gui/frames/source.py" />
-            <source>Bytes come, but at no speed do they repeat themselves</source>
-            <translation>Байти надходять, але на жодній швидкості не повторюються</translation>
+            <source>Bytes come, but at no speed do they repeat themselves: choose the BaudRate of the board's manual and Listen, then type Header and Length</source>
+            <translation>Байти надходять, але на жодній швидкості не повторюються: виберіть швидкість з інструкції плати, натисніть «Слухати», потім введіть заголовок і довжину</translation>
         </message>
         <message>
             <location filename="../../gui/frames/source.py" />

@@ -6,14 +6,16 @@ from functools import partial
 from pathlib import Path
 
 import pytest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel, QWidget
 from pytestqt.qtbot import QtBot
 
 from gui.app import Application, Options
 from gui.languages import update
+from gui.languages.anchors import old_label
 from gui.languages.choice import LANGUAGES
 from gui.languages.shown import SHOWN
 from gui.languages.ts_file import read_ts
+from gui.widgets.action_bar import ActionBar
 from tests.gui.languages.window_words import words_of
 
 CYRILLIC = re.compile("[А-Яа-яІіЇїЄєҐґ]")
@@ -89,6 +91,24 @@ def nothing_left(app: Application, language: str) -> None:
         assert others_left(app, language) == []
 
 
+def without_old_label(app: Application) -> list[tuple[str, str]]:
+    """Labels and buttons that had an English name in the old programs, and hide it.
+
+    The window tells it for all that have no tool tip; buttons of actions show it below.
+    """
+    hidden: list[tuple[str, str]] = []
+    found: set[str] = set()
+    for widget in app.window.findChildren(QWidget):
+        text = widget.text() if isinstance(widget, QLabel | QAbstractButton) else ""
+        label = old_label(text)
+        found.add(label)
+        below = isinstance(widget.parentWidget(), ActionBar)
+        if label and not below and widget.toolTip() and label not in widget.toolTip():
+            hidden.append((text, widget.toolTip()))
+    assert len(found) > 40
+    return hidden
+
+
 def switch(app: Application, language: str, qtbot: QtBot) -> None:
     app.window.menu.languages[language].trigger()
     qtbot.wait(100)
@@ -99,10 +119,14 @@ def test_nothing_of_the_other_language_is_left(start: Callable[[], Application],
     for tab in app.tabs.values():
         app.window.tabs.setCurrentWidget(tab.widget)
         qtbot.wait(30)
+    opening = ("WordLabel", "The archive is being opened …")
+    qtbot.waitUntil(lambda: opening not in set(words_of(app.window)), timeout=30_000)
+    qtbot.wait(100)
     before = set(words_of(app.window))
     for language in ("uk", "ru"):
         switch(app, language, qtbot)
         qtbot.waitUntil(partial(nothing_left, app, language), timeout=10_000)
+        assert without_old_label(app) == []
     switch(app, "en", qtbot)
     qtbot.waitUntil(partial(nothing_left, app, "en"), timeout=10_000)
     # Results that come meanwhile add words; none may stay away.

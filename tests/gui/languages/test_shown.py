@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from gui.languages import update
-from gui.languages.anchors import LABELS, anchor, old_label
+from gui.languages.anchors import LABELS, anchor, beside, old_label
 from gui.languages.shown import SHOWN, Book, shown, shown_number, speak
 from gui.languages.ts_file import Message, read_ts
 
@@ -105,6 +105,9 @@ def test_english_is_left_alone():
 def test_old_labels_stand_below_their_translation():
     assert anchor("Accumulate Data") == "Accumulate Data"
     assert anchor("nothing was measured") == ""
+    assert beside("✓ Накопичити дані") == "✓ Накопичити дані (Accumulate Data)"
+    assert beside("Накопичити дані", "Натисніть тут") == "Натисніть тут (Accumulate Data)"
+    assert beside("положення", "Де стоїть") == "Де стоїть"
 
 
 @pytest.mark.parametrize("path", update.ts_files(), ids=lambda path: path.name)
