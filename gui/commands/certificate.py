@@ -61,7 +61,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="K",
         help="of a record: output for 1 deg/s (1 m/s^2)",
     )
-    parser.add_argument("--language", default="en", choices=["en", "uk"], help="of the words")
+    parser.add_argument("--language", default="en", choices=["en", "uk", "ru"], help="of the words")
     parser.add_argument(
         "--draft", action="store_true", help="write PDF and HTML only; no number is given"
     )
