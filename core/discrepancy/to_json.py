@@ -102,8 +102,11 @@ def _next(measurement: NextMeasurement) -> dict[str, Any]:
             "title": plan.title,
             "test": plan.test,
             "accumulation_s": plan.accumulation_s,
+            "temperatures_c": list(plan.temperatures_c),
             "steps": [
-                {"mount": step.mount, "head_deg": step.head_deg, "rate_dps": step.rate_dps}
+                {"group": step.group}
+                if plan.test == "record"
+                else {"mount": step.mount, "head_deg": step.head_deg, "rate_dps": step.rate_dps}
                 for step in plan.steps
             ],
         },

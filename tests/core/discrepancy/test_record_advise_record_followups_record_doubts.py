@@ -59,6 +59,8 @@ def test_a_tie_of_a_settling_and_a_drift_is_broken_by_going_on_and_the_advice_co
     assert best.probability > 0.9
     document = explanation_to_json(story)["next_measurements"][0]
     assert document["plan"]["test"] == "record"
+    assert document["plan"]["steps"] == [{"group": "as before, 60 min"}]
+    assert document["plan"]["temperatures_c"] == []
     # Played: of the settling little is left in the second hour, of a drift all would be.
     behind = explain_record(hour_run(lambda h: 4e-4 * np.exp(-(h.t + 3600.0) / 1800.0), seed=4))
     fall = (1.0 - np.exp(-2.0)) * 4e-4
