@@ -154,6 +154,7 @@ class Application(QObject):
         from gui.devices.stopping import Stopping
         from gui.devices.view import DevicesView
         from gui.handing import Handing
+        from gui.nearest import NearestCalibrations
         from gui.services import Services
         from gui.tab_maker import TabMaker
 
@@ -164,7 +165,8 @@ class Application(QObject):
         self.devices.show_setups(setups_of_section(self.settings.section("devices")))
         self.window.put_devices(DevicesView(self.devices))
         self.stopping = Stopping(self.connection, self.messages, self._why_busy, self)
-        self.adc = AdcPresenter(self.connection, self.jobs, lambda: self._root, self)
+        near = NearestCalibrations(lambda: self._root).find
+        self.adc = AdcPresenter(self.connection, self.jobs, near, self)
         self.window.put_adc(AdcPanel(self.adc))
         self._connect()
         handing = Handing(self._all_tabs, self._show_tab)
@@ -183,6 +185,7 @@ class Application(QObject):
             self._why_busy,
             handing.calibrate_with,
             handing.grade_plan,
+            near,
         )
         self._maker = TabMaker(TABS, self.tabs, self.window, services, self)
         self._maker.complete.connect(self._on_complete)

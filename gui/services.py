@@ -2,8 +2,10 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from datetime import datetime
 from pathlib import Path
 
+from core.archive.nearest import Usable
 from core.certificates.measured import Measured
 from core.errors import FormatError
 from core.plans.plan import Plan
@@ -14,6 +16,9 @@ from gui.devices.connection import Connection
 from gui.jobs import Jobs
 from gui.messages import Messages
 from gui.settings import Settings
+
+Nearest = Callable[[str, datetime, float, str], tuple[Usable, ...]]
+"""Device, moment, temperature and sensor -> calibrations of the archive, the nearest first."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -30,6 +35,11 @@ class Addition:
     run: Run
     paths: tuple[Path, ...]
     added: Added
+
+
+def _nothing_near(_: str, __: datetime, ___: float, ____: str) -> tuple[Usable, ...]:
+    """There is no archive."""
+    return ()
 
 
 def _nobody(_: Addition, __: bool) -> bool:
@@ -88,6 +98,8 @@ class Services:
     calibrate_with : hands a run with added effects to the tab that calibrates such runs; if told
         so it shows that tab, else only a page that shows this run is renewed; returns whether a
         tab took it
+    nearest : returns the calibrations of a device nearest to a moment and a temperature (NaN: any),
+        of a sensor (empty: either); for a worker, raises `LabError`
     grade_plan : tells what a plan, walked so often, can show; shows the tab that does
     """
 
@@ -105,3 +117,4 @@ class Services:
     why_busy: Callable[[], str] = _never_busy
     calibrate_with: Callable[[Addition, bool], bool] = _nobody
     grade_plan: Callable[[Plan, int], None] = _no_grades
+    nearest: Nearest = _nothing_near

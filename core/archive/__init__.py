@@ -25,7 +25,7 @@ limits
 compare
     Two calibrations: difference over combined uncertainty.
 nearest
-    The calibration nearest by date and temperature.
+    The calibration nearest by date and temperature; those whose files stand here.
 importing
     Folders of old files copied into the archive, each once.
 reprocess

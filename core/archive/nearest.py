@@ -4,9 +4,11 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import datetime
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from core.archive.entry import BAD, DAMAGED, Entry
+from core.errors import StorageError
 
 if TYPE_CHECKING:
     from core.archive.store import Archive
@@ -38,6 +40,62 @@ class Proposal:
         """Days, with kelvins counted as days."""
         apart = _UNKNOWN_K if math.isnan(self.kelvin) else abs(self.kelvin)
         return math.hypot(self.days, DAYS_PER_KELVIN * apart)
+
+
+@dataclass(frozen=True, slots=True)
+class Usable:
+    """A calibration whose file stands here.
+
+    Parameters
+    ----------
+    proposal : which, and how far off
+    path : its file
+    """
+
+    proposal: Proposal
+    path: Path
+
+    @property
+    def words(self) -> str:
+        """Number, how long before or after, and temperature, for a line of text."""
+        entry, days = self.proposal.entry, self.proposal.days
+        count = round(abs(days))
+        if not count:
+            when = "the same day"
+        else:
+            when = f"{count} days earlier" if days < 0 else f"{count} days later"
+            when = when.replace("1 days", "1 day") if count == 1 else when
+        warmth = entry.temperature_c
+        if math.isnan(warmth):
+            return f"No. {entry.id}, {when}"
+        return f"No. {entry.id}, {when}, {warmth:.1f} °C"
+
+
+def usable(
+    archive: "Archive",
+    serial: str,
+    when: datetime,
+    temperature_c: float = math.nan,
+    *,
+    sensor: str = "",
+    limit: int = 5,
+) -> tuple[Usable, ...]:
+    """Return the nearest calibrations whose files stand at this rig; parameters as of `nearest`.
+
+    Raises
+    ------
+    StorageError
+        The index cannot be read.
+    """
+    found: list[Usable] = []
+    for proposal in nearest(archive, serial, when, temperature_c, sensor=sensor):
+        if len(found) == limit:
+            break
+        try:
+            found.append(Usable(proposal, archive.path_of(proposal.entry)))
+        except StorageError:  # at another rig, or gone since the last look
+            continue
+    return tuple(found)
 
 
 def nearest(

@@ -9,6 +9,7 @@ settings          what the operator sets: limit, decision rule, calibration
 settings_view     the form of these
 results           Load Data, Process Data, and the verdict after every angle
 checking          their work: a judged check, in a worker
+offering          the nearest calibration offered to a check that has none
 page              the results page as plain data
 picture           the graph: which values on which page
 state             graph, verdicts and traces as plain data

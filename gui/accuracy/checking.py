@@ -2,17 +2,20 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from datetime import datetime
+from datetime import UTC, datetime
 from pathlib import Path
 
 import numpy as np
 
-from core.errors import FitError, LabError, Note, Severity
+from core.archive.nearest import Usable
+from core.errors import FitError, FormatError, LabError, Note, Severity
 from core.procedures.accuracy import Accuracy, Limit, check_accuracy
 from core.procedures.calibration import Calibration
+from core.records.calibration_json import read_calibration
 from core.records.open import read_any
 from core.records.open_calibration import nearest_calibration, open_calibration
 from core.samples.run import Conditions, Run
+from gui.services import Nearest
 
 NEAREST, NONE = "nearest", "none"
 """Choices of a calibration that are no file."""
@@ -29,6 +32,8 @@ class CheckRequest:
     calibration : `NEAREST`, `NONE`, or a file
     root : folder of all sessions
     limit : None for no verdict
+    near : returns the calibrations of the archive nearest to a moment and a temperature; None to
+        look into the folders of `root` alone
     angles_deg : set angles of the rows; None where the data tell them
     kind : pitch or roll; None where the data tell it
     """
@@ -39,6 +44,7 @@ class CheckRequest:
     limit: Limit | None = None
     angles_deg: tuple[float, ...] | None = None
     kind: str | None = None
+    near: Nearest | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -58,6 +64,11 @@ class Checked:
     source: str
     calibration: str
     request: CheckRequest
+
+    @property
+    def wants_calibration(self) -> bool:
+        """Whether there are raw codes that only lack a calibration to be judged too."""
+        return not self.calibration and self.found.codes.shape[1] > 0
 
 
 def check_file(path: Path, device: str | None, request: CheckRequest) -> Checked:
@@ -106,13 +117,12 @@ def _calibration(
     """The calibration, where it comes from, and why there is none."""
     if request.calibration == NONE:
         return None, "", ()
-    path = (
-        nearest_calibration(request.root, run.device, _measured(run))
-        if request.calibration == NEAREST
-        else Path(request.calibration)
-    )
+    path: Path | None = Path(request.calibration)
+    name, doubts = Path(request.calibration).name, tuple[Note, ...]()
+    if request.calibration == NEAREST:
+        path, name, doubts = _nearest(run, request)
     if path is None:
-        return None, "", ()
+        return None, "", doubts
     conditions: Callable[[Conditions], Conditions] = lambda _: request.conditions  # noqa: E731
     try:
         found = open_calibration(path, conditions)
@@ -120,8 +130,38 @@ def _calibration(
     except LabError as error:
         note = Note(Severity.WARNING, "calibration_refused", f"{path.name} is not used: {error}")
         return None, "", (note,)
-    name = path.parent.name if request.calibration == NEAREST else path.name
-    return found, name, ()
+    return found, name, doubts
+
+
+def _nearest(run: Run, request: CheckRequest) -> tuple[Path | None, str, tuple[Note, ...]]:
+    """The triad's calibration nearest by date and temperature, its name, and doubts."""
+    doubts: tuple[Note, ...] = ()
+    if request.near is not None:
+        try:
+            for one in near_of(run, request.near):
+                if is_triad(one.path):
+                    return one.path, f"{one.path.parent.name} ({one.words})", ()
+        except LabError as error:
+            words = f"the archive was not asked for the nearest calibration: {error}"
+            doubts = (Note(Severity.WARNING, "archive_not_asked", words),)
+    path = nearest_calibration(request.root, run.device, _measured(run))
+    return path, "" if path is None else path.parent.name, doubts
+
+
+def near_of(run: Run, near: Nearest) -> tuple[Usable, ...]:
+    """Calibrations of a run's unit, the nearest first; raises `LabError`."""
+    known = run.temperature_c[np.isfinite(run.temperature_c)]
+    warmth = float(known.mean()) if known.size else float("nan")
+    when = _measured(run) or datetime.now(UTC)
+    return near(run.device, when.astimezone(), warmth, "accelerometer")
+
+
+def is_triad(path: Path) -> bool:
+    """Whether a calibration's file can be read and holds three sensors with all cross axes."""
+    try:
+        return read_calibration(path).is_triad
+    except FormatError:
+        return False
 
 
 def _measured(run: Run) -> datetime | None:

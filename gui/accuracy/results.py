@@ -2,10 +2,12 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from datetime import datetime
 from pathlib import Path
 
 from PySide6.QtCore import QObject
 
+from core.archive.nearest import Usable
 from core.certificates.measured import Measured
 from core.errors import Note, Severity, StorageError
 from core.procedures.accuracy_plan import angles_of_text
@@ -20,6 +22,7 @@ from gui.accuracy.written import KEPT, write_csv
 from gui.jobs import Jobs, Work
 from gui.measuring.results import Results
 from gui.messages import Messages
+from gui.services import Nearest
 
 _STEP_DEG = 0.01
 
@@ -33,6 +36,7 @@ class AccuracyResults(Results):
     jobs : where the work is done
     messages : where it is told
     root : returns the folder of all sessions, where calibrations are looked for
+    near : returns the nearest calibrations of the archive; None to look into the folders alone
     """
 
     def __init__(
@@ -41,10 +45,12 @@ class AccuracyResults(Results):
         jobs: Jobs,
         messages: Messages,
         root: Callable[[], Path],
+        near: Nearest | None = None,
         parent: QObject | None = None,
     ) -> None:
         super().__init__(key, jobs, messages, parent)
         self._root = root
+        self._near = None if near is None else _Asked(near)
         self._loaded: Checked | None = None
         self._hidden: set[str] = set()
         self._shown = PAGES[0]
@@ -65,6 +71,7 @@ class AccuracyResults(Results):
 
     def clear(self) -> None:
         """Close the page."""
+        self._forget()
         self.state, self._loaded = None, None
         self._told.clear()
         super().clear()
@@ -94,6 +101,7 @@ class AccuracyResults(Results):
 
     def load(self, path: Path, settings: AccuracySettings) -> None:
         """Read a session's folder, a run file or an Accuracy file, and judge it."""
+        self._forget()
         request = self._request(settings)
 
         def work_of(device: str | None, mounts: Sequence[str] | None) -> Work:  # noqa: ARG001
@@ -168,10 +176,39 @@ class AccuracyResults(Results):
         fresh = tuple(note for note in checked.found.notes if note not in self._told)
         self.page = replace(page, fresh=fresh)
 
+    def _forget(self) -> None:
+        """Ask the archive anew for the next check."""
+        if self._near is not None:
+            self._near = _Asked(self._near.near)
+
     def _request(self, settings: AccuracySettings) -> CheckRequest:
         return CheckRequest(
-            settings.conditions(), settings.calibration, self._root(), settings.limit
+            settings.conditions(),
+            settings.calibration,
+            self._root(),
+            settings.limit,
+            near=self._near,
         )
+
+
+class _Asked:
+    """Asks the archive once for a check: it is judged anew after every angle.
+
+    Parameters
+    ----------
+    near : the archive
+    """
+
+    def __init__(self, near: Nearest) -> None:
+        self.near = near
+        self._told: dict[str, tuple[Usable, ...]] = {}
+
+    def __call__(
+        self, device: str, when: datetime, warmth: float, sensor: str
+    ) -> tuple[Usable, ...]:
+        if device not in self._told:
+            self._told[device] = self.near(device, when, warmth, sensor)
+        return self._told[device]
 
 
 def _of_session(

@@ -1,13 +1,16 @@
 """The Accuracy tab put together."""
 
+from dataclasses import replace
+
 from PySide6.QtCore import Qt
 
 from core.errors import LabError, Severity
 from core.procedures.accuracy_plan import angles_of_text, kind_of, wanted_deg, with_angles
 from core.samples.block import SampleBlock
 from core.samples.turning import turning_columns, unwrapped
-from gui.accuracy.checking import Checked
+from gui.accuracy.checking import NEAREST, Checked
 from gui.accuracy.guide import AccuracyGuide
+from gui.accuracy.offering import Offering
 from gui.accuracy.results import AccuracyResults
 from gui.accuracy.results_view import AccuracyResultsView
 from gui.accuracy.settings import AccuracySettings
@@ -28,7 +31,9 @@ class AccuracyTab(MeasuringTab[AccuracySettings]):
 
     def __init__(self, services: Services) -> None:
         guide = AccuracyGuide()
-        results = AccuracyResults(guide.key, services.jobs, services.messages, services.root)
+        results = AccuracyResults(
+            guide.key, services.jobs, services.messages, services.root, services.nearest
+        )
         self._form = AccuracyForm(AccuracySettings())
         self.page = page = AccuracyResultsView()
         super().__init__(services, guide, results, self._form, formats(), page)
@@ -41,6 +46,8 @@ class AccuracyTab(MeasuringTab[AccuracySettings]):
         self._form.edited.connect(self._on_edited, Qt.ConnectionType.QueuedConnection)
         self.bench.block.connect(self._on_block)
         self.bench.link_changed.connect(self._on_link)
+        self._offering = Offering(results, services.jobs, services.messages, services.nearest, self)
+        self._offering.accepted.connect(self._on_use)
         self._on_sitting()
 
     def exported(self) -> Checked | None:
@@ -63,6 +70,11 @@ class AccuracyTab(MeasuringTab[AccuracySettings]):
         if self.results.state is not None and not self.results.busy:
             self.presenter.process()
 
+    def _on_use(self) -> None:
+        """Judge the raw codes by the calibration that was offered."""
+        settings = replace(self.sitting.settings, calibration=NEAREST)
+        self._form.edited.emit(settings)
+
     def _on_angles(self, text: str) -> None:
         """Another list: set angles of the loaded file, or the steps to come."""
         messages = self._services.messages
@@ -81,7 +93,14 @@ class AccuracyTab(MeasuringTab[AccuracySettings]):
         except LabError as error:
             why_not = str(error)
         if why_not:
-            banner = BannerState(Severity.WARNING, say("The list Angles stays as it was"), why_not)
+            banner = BannerState(
+                Severity.WARNING,
+                say("The list Angles stays as it was"),
+                why_not,
+                say(
+                    "Type one angle for every row, in degrees, as 0, 30, 60; or press New session."
+                ),
+            )
             messages.show(_SOURCE, banner)
         self._on_sitting()
 

@@ -33,13 +33,12 @@ from gui.certificate.keeping import LaboratoryKeeper
 from gui.certificate.pdf import Paper
 from gui.certificate.scene import Scene, state_of
 from gui.certificate.state import CertificateState
-from gui.certificate.texts import missing_words, say
+from gui.certificate.texts import missing_words, remedy_of, say
 from gui.services import Services
 from gui.settings import text_of
 from gui.widgets.states import BannerAction, BannerState
 
-SOURCE = "certificate"
-FOLDER = "certificates"
+SOURCE, FOLDER = "certificate", "certificates"
 _PREVIEW_MS = 200
 """Typing goes on for so long before the pages follow it."""
 _ANYWAY = "anyway"
@@ -132,7 +131,8 @@ class CertificatePresenter(QObject):
                 limits if isinstance(limits, dict) else {},
             )
         except LabError as error:
-            self._tell_error(say("No certificate can be made of these results"), error)
+            what = say("No certificate can be made of these results")
+            self._tell_error(what, error, remedy_of("results"))
             return
         self._shown, self._chosen = None, ""
         self._services.messages.clear(SOURCE)
@@ -211,7 +211,8 @@ class CertificatePresenter(QObject):
             return
         self._chosen = number
         if entry.damage:
-            self._show(Severity.ERROR, say("The certificate cannot be read"), entry.damage)
+            what = say("The certificate cannot be read")
+            self._show(Severity.ERROR, what, entry.damage, remedy_of("twin"))
             self._tell()
             return
         self._start("certificate", lambda: opened(Register(self.folder), entry.path))
@@ -221,7 +222,8 @@ class CertificatePresenter(QObject):
         if self._shown is None:
             return
         if not reason.strip():
-            self._show(Severity.WARNING, say("A withdrawal needs a reason"))
+            remedy = remedy_of("withdrawal")
+            self._show(Severity.WARNING, say("A withdrawal needs a reason"), "", remedy)
             return
         register, number = Register(self.folder), self._shown.certificate.number
 
@@ -266,7 +268,8 @@ class CertificatePresenter(QObject):
         if isinstance(error, LabError):
             refused = say("The laboratory's file is refused")
             unwritten = say("The laboratory's file is not written")
-            self._tell_error(refused if what == "read" else unwritten, error)
+            told = (refused, remedy_of("laboratory")) if what == "read" else (unwritten, "")
+            self._tell_error(told[0], error, told[1])
 
     def _on_action(self, source: str, key: str) -> None:
         if source == SOURCE and key == _ANYWAY:
@@ -299,7 +302,7 @@ class CertificatePresenter(QObject):
         try:
             self._shown_results = results_html(one.certificate.measured.printed)
         except LabError as error:
-            self._tell_error(say("The certificate cannot be read"), error)
+            self._tell_error(say("The certificate cannot be read"), error, remedy_of("twin"))
             return
         self._shown, self._chosen = one, one.certificate.number
         self._lay_out()
@@ -322,7 +325,7 @@ class CertificatePresenter(QObject):
 
     def _on_failed(self, error: LabError) -> None:
         self._busy -= 1
-        self._tell_error(say("The certificate could not be worked on"), error)
+        self._tell_error(say("The certificate could not be worked on"), error, remedy_of("work"))
         self._tell()
 
     # --- what is shown ----------------------------------------------------------------------------
@@ -390,8 +393,8 @@ class CertificatePresenter(QObject):
     def _tell(self) -> None:
         self.changed.emit(self.state)
 
-    def _show(self, severity: Severity, what: str, meaning: str = "") -> None:
-        self._services.messages.show(SOURCE, BannerState(severity, what, meaning))
+    def _show(self, severity: Severity, what: str, meaning: str = "", remedy: str = "") -> None:
+        self._services.messages.show(SOURCE, BannerState(severity, what, meaning, remedy))
 
-    def _tell_error(self, what: str, error: LabError) -> None:
-        self._services.messages.tell_error(SOURCE, what, error)
+    def _tell_error(self, what: str, error: LabError, remedy: str = "") -> None:
+        self._services.messages.tell_error(SOURCE, what, error, remedy=remedy)

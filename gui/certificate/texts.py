@@ -61,6 +61,26 @@ def title_of(part: Part) -> str:
     return shown(part.text)
 
 
+def remedy_of(trouble: str) -> str:
+    """What to do about a trouble.
+
+    Parameters
+    ----------
+    trouble : ``"results"``, ``"laboratory"``, ``"twin"``, ``"withdrawal"`` or ``"work"``
+    """
+    remedies = {
+        "results": say("Process them again in their tab, then press Certificate there."),
+        "laboratory": say(
+            "Correct the place that is named, or move the file away and fill in the page Laboratory"
+            " anew; until then nothing is written over it."
+        ),
+        "twin": say("Its PDF and HTML still hold; take its JSON from a copy of the folder."),
+        "withdrawal": say("Type why it holds no longer, then press Withdraw again."),
+        "work": say("Nothing was issued. Put right what is named, then do the same again."),
+    }
+    return remedies[trouble]
+
+
 def status_words(one: Issued) -> str:
     """Whether an issued certificate holds."""
     if one.damage:

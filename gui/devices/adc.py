@@ -1,5 +1,6 @@
 """View ADC Data: live codes of every channel of the current device, with mean and STD."""
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from datetime import UTC, datetime
@@ -8,11 +9,11 @@ from pathlib import Path
 import numpy as np
 from PySide6.QtCore import QCoreApplication, QObject, Signal
 
+from core.archive.nearest import Usable
 from core.arrays import FloatArray
-from core.errors import LabError
+from core.errors import FormatError, LabError
 from core.procedures.physical import Physical, physical_of
 from core.records.calibration_json import read_calibration
-from core.records.open_calibration import nearest_calibration
 from core.samples.block import Channel, SampleBlock
 from core.samples.running import LatestMoments, Moments, RunningMoments
 from gui.devices.connection import Connection
@@ -51,8 +52,8 @@ class AdcPresenter(QObject):
     Parameters
     ----------
     connection : whose current device is watched
-    jobs : look for a calibration in the folder of sessions
-    root : returns that folder
+    jobs : look for a calibration
+    nearest : returns the calibrations of a device nearest to a moment and a temperature
     """
 
     changed = Signal()
@@ -62,19 +63,20 @@ class AdcPresenter(QObject):
         self,
         connection: Connection,
         jobs: Jobs,
-        root: Callable[[], Path],
+        nearest: Callable[[str, datetime, float, str], tuple[Usable, ...]],
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
         self._connection = connection
         self._jobs = jobs
-        self._root = root
+        self._nearest = nearest
         self._open = False
         self._channels: tuple[Channel, ...] = ()
         self._rate = 0.0
         self._physical: Physical | None = None
         self._calibration = ""
         self._asked = ""
+        self._warmth = math.nan
         connection.blocks.connect(self._on_block)
         connection.changed.connect(self._on_changed)
         self.clear()
@@ -135,6 +137,7 @@ class AdcPresenter(QObject):
         if block.channels != self._channels or (self._rate <= 0 < rate):
             self._channels, self._rate, self._physical = block.channels, rate, None
             self._calibration = ""
+            self._warmth = _temperature_in(block)
             self.clear()
             self._look_for_calibration()
         data: FloatArray = block.data
@@ -154,8 +157,10 @@ class AdcPresenter(QObject):
         if not name or name == self._asked:
             return
         self._asked = name
-        root = self._root()
-        self._jobs.start("calibration", lambda: _find(root, name), self._take, self._on_failed)
+        near, warmth = self._nearest, self._warmth
+        self._jobs.start(
+            "calibration", lambda: _find(near, name, warmth), self._take, self._on_failed
+        )
 
     def _take(self, found: object) -> None:
         match found:
@@ -171,9 +176,24 @@ class AdcPresenter(QObject):
         """Physical units are welcome, not needed."""
 
 
-def _find(root: Path, name: str) -> object:
-    path = nearest_calibration(root, name, datetime.now(UTC))
-    return (name, None, "") if path is None else (name, read_calibration(path), path.parent.name)
+def _find(
+    near: Callable[[str, datetime, float, str], tuple[Usable, ...]], name: str, warmth: float
+) -> object:
+    """The nearest calibration of the archive that can be read, and where it is from."""
+    for one in near(name, datetime.now(UTC), warmth, ""):
+        try:
+            return name, read_calibration(one.path), one.words
+        except FormatError:
+            continue
+    return name, None, ""
+
+
+def _temperature_in(block: SampleBlock) -> float:
+    """What the unit's thermometer says, degC; NaN without one."""
+    for place, channel in enumerate(block.channels):
+        if channel.role == "temp" and channel.unit == "degC":
+            return float(block.data[:, place].mean())
+    return math.nan
 
 
 def _table(

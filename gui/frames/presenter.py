@@ -226,7 +226,9 @@ class FramesPresenter(QObject):
         source = self.source.state
         why = self._may_let_go()
         if why:
-            self._messages.show(SOURCE, BannerState(Severity.WARNING, "Not connected yet", why))
+            remedy = "End what is being measured there, then press Save and connect again."
+            banner = BannerState(Severity.WARNING, "Not connected yet", why, remedy)
+            self._messages.show(SOURCE, banner)
             return
         if not source.url or self.save() is None:
             return

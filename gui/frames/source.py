@@ -184,8 +184,9 @@ class Source(QObject):
         if any(setup.url == url for setup in self._connection.setups):
             why = self._may_let_go()
             if why:
+                remedy = "End what is being measured there, or choose another port."
                 self._messages.show(
-                    SOURCE, BannerState(Severity.WARNING, "The port is in use", why)
+                    SOURCE, BannerState(Severity.WARNING, "The port is in use", why, remedy)
                 )
                 return False
             self._connection.close()
@@ -204,7 +205,10 @@ class Source(QObject):
             self.show(baud=heard[0].baud)
             self.listen()
         elif any(trial.count for trial in heard):
-            self.show(heard="Bytes come, but at no speed do they repeat themselves")
+            self.show(
+                heard="Bytes come, but at no speed do they repeat themselves: choose the BaudRate"
+                " of the board's manual and Listen, then type Header and Length"
+            )
         elif heard:
             self.show(heard="Silent at every speed; is the board switched on?")
 

@@ -277,6 +277,9 @@ def test_a_damaged_laboratory_file_is_told_and_left_alone(tab: CertificateTab, r
     tab.presenter.keeper._laboratory = None
     assert tab.presenter.laboratory.name == ""
     assert "refused" in banner(tab)
+    told = messages_of(tab).current
+    assert told is not None
+    assert "Correct the place that is named" in told.remedy
     tab.close()
     assert (root / FILE).read_text(encoding="utf-8") == "{"
 

@@ -22,6 +22,7 @@ from gui.devices.setup import DeviceSetup
 from gui.devices.stopping import Stopping
 from gui.jobs import Jobs
 from gui.messages import Messages
+from gui.nearest import NearestCalibrations
 from gui.widgets.states import BannerState, LinkMark
 from tests.gui.fake_bench import FakeConnection
 
@@ -44,7 +45,7 @@ def test_the_numbers_of_a_unit_that_stands_still(
     connection: Connection, qtbot: QtBot, tmp_path: Path
 ):
     jobs = Jobs()
-    presenter = AdcPresenter(connection, jobs, lambda: tmp_path)
+    presenter = AdcPresenter(connection, jobs, NearestCalibrations(lambda: tmp_path).find)
     panel = AdcPanel(presenter)
     qtbot.addWidget(panel)
     connection.open([DeviceSetup("sim://pointer?speed=5&name=adc", 115200, "pw09_raw", "PW09")])
@@ -87,14 +88,14 @@ def test_codes_stand_beside_physical_units_once_the_unit_was_calibrated(
     write_calibration(made, tmp_path / "session" / "calibration.cal.json")
     jobs = Jobs()
     connection = FakeConnection()
-    presenter = AdcPresenter(connection, jobs, lambda: tmp_path)
+    presenter = AdcPresenter(connection, jobs, NearestCalibrations(lambda: tmp_path).find)
     presenter.set_open(True)
     connection.plug(made.provenance.device)
     feed_level(connection)
     qtbot.waitUntil(lambda: bool(presenter.state().calibration), timeout=5_000)
     feed_level(connection)
     state = presenter.state()
-    assert state.calibration == "session"
+    assert state.calibration == "No. 1, the same day"
     row = next(row for row in state.table.rows if row[0] == "acc_z")
     # The fake unit is another one than that of Table 2.2, but of its kind.
     assert float(row[9]) == pytest.approx(9.81, abs=0.05)
