@@ -60,11 +60,11 @@ class Usable:
         """Number, how long before or after, and temperature, for a line of text."""
         entry, days = self.proposal.entry, self.proposal.days
         count = round(abs(days))
-        if not count:
-            when = "the same day"
-        else:
+        when = "the same day"
+        if count == 1:
+            when = "one day earlier" if days < 0 else "one day later"
+        elif count:
             when = f"{count} days earlier" if days < 0 else f"{count} days later"
-            when = when.replace("1 days", "1 day") if count == 1 else when
         warmth = entry.temperature_c
         if math.isnan(warmth):
             return f"No. {entry.id}, {when}"

@@ -10371,18 +10371,28 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../core/archive/nearest.py" />
-            <source>No. {id}, {when}, {warmth} °C</source>
-            <translation>№ {id}, {when}, {warmth} °C</translation>
-        </message>
-        <message>
-            <location filename="../../core/archive/nearest.py" />
             <source>the same day</source>
             <translation>в тот же день</translation>
         </message>
         <message>
             <location filename="../../core/archive/nearest.py" />
+            <source>No. {id}, {when}, {warmth} °C</source>
+            <translation>№ {id}, {when}, {warmth} °C</translation>
+        </message>
+        <message>
+            <location filename="../../core/archive/nearest.py" />
             <source>No. {id}, {when}</source>
             <translation>№ {id}, {when}</translation>
+        </message>
+        <message>
+            <location filename="../../core/archive/nearest.py" />
+            <source>one day earlier</source>
+            <translation>на один день раньше</translation>
+        </message>
+        <message>
+            <location filename="../../core/archive/nearest.py" />
+            <source>one day later</source>
+            <translation>на один день позже</translation>
         </message>
         <message>
             <location filename="../../core/archive/nearest.py" />
@@ -10393,16 +10403,6 @@ Without a command the window opens.</translation>
             <location filename="../../core/archive/nearest.py" />
             <source>{count} days later</source>
             <translation>на {count} [день|дня|дней] позже</translation>
-        </message>
-        <message>
-            <location filename="../../core/archive/nearest.py" />
-            <source>1 days</source>
-            <translation>1 день</translation>
-        </message>
-        <message>
-            <location filename="../../core/archive/nearest.py" />
-            <source>1 day</source>
-            <translation>1 день</translation>
         </message>
         <message>
             <location filename="../../core/archive/noise_file.py" />

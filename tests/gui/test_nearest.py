@@ -39,7 +39,7 @@ def test_they_come_in_the_order_of_their_distance_with_words(near: NearestCalibr
     found = near.find("PW09", WHEN, 22.0)
     assert [one.path.parent.name for one in found] == ["a", "c", "b"]
     words = [one.words.partition(", ")[2] for one in found]
-    assert words == ["3 days earlier, 21.4 °C", "the same day", "1 day later, 60.0 °C"]
+    assert words == ["3 days earlier, 21.4 °C", "the same day", "one day later, 60.0 °C"]
     assert [one.path.parent.name for one in near.find("PW09", WHEN)] == ["c", "b", "a"]
     assert near.find("PW09", WHEN, 22.0, "gyro") == ()
     assert near.find("PW10", WHEN) == ()
