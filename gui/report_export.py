@@ -18,8 +18,6 @@ from gui.widgets.table_text import table_text
 if TYPE_CHECKING:
     from gui.widgets.chart_export import Paint
 
-SOURCE = "export"
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Report:

@@ -4,9 +4,9 @@ from gui.advisor.plan_view import PlanView
 from gui.advisor.presenter import AdvisorPresenter
 from gui.advisor.side_view import AdvisorSide
 from gui.advisor.state import AdvisorState
+from gui.analysis.export import export_under
 from gui.analysis.tab import AnalysisTab
-from gui.exporting import Exporting
-from gui.report_export import SOURCE, Report, report_formats
+from gui.report_export import Report, report_formats
 from gui.services import Services
 from gui.widgets.analysis_page import AnalysisPage
 
@@ -23,16 +23,9 @@ class AdvisorPage(AnalysisTab):
         self._side = AdvisorSide()
         self._page = AnalysisPage(self.plans, ())
         self._named = ""
-        self.exporting = Exporting(
-            SOURCE,
-            report_formats(drawn=False),
-            self._report,
-            services.root,
-            services.jobs,
-            services.messages,
-            self,
+        self.exporting = export_under(
+            self._page.findings, report_formats(drawn=False), self._report, services, self
         )
-        self.exporting.serve(self._page.findings)
         presenter = self.presenter
         self._side.decided.connect(presenter.decide)
         self._side.noise.decided.connect(presenter.set_noise)

@@ -8,8 +8,8 @@ from gui.allan.library import Library
 from gui.allan.live import LiveRecord
 from gui.allan.presenter import SOURCE, AllanPresenter
 from gui.allan.view import AllanView
+from gui.analysis.export import export_under
 from gui.analysis.tab import AnalysisTab
-from gui.exporting import Exporting
 from gui.services import Services
 
 
@@ -25,16 +25,13 @@ class AllanTab(AnalysisTab):
             self.library, self.live, services.connection, services.messages, self
         )
         self.view = AllanView(self.presenter)
-        self.exporting = Exporting(
-            "export",
+        self.exporting = export_under(
+            self.view.findings,
             formats(self._draw),
             lambda: self.library.studies,
-            services.root,
-            services.jobs,
-            services.messages,
+            services,
             self,
         )
-        self.exporting.serve(self.view.findings)
         self.library.changed.connect(self.exporting.renew)
         self.view.export_wanted.connect(self.view.findings.export)
 

@@ -6,8 +6,9 @@ import numpy as np
 from PySide6.QtCore import QCoreApplication
 
 from core.procedures.drift.compensate import DriftResult
+from gui.analysis.curves import LineState
 from gui.drift.knots import Knots
-from gui.drift.state import ALL, KnotsState, LineState, PictureState
+from gui.drift.state import ALL, KnotsState, PictureState
 from gui.drift.texts import method_words, shown_unit
 from gui.widgets.number_text import fixed, significant
 

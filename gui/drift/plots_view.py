@@ -13,7 +13,7 @@ from gui.drift.state import DriftState, KnotsState, PictureState
 from gui.languages.shown import shown
 from gui.widgets.colours import Theme
 from gui.widgets.fields import ChoiceField
-from gui.widgets.legend import DASHES, LINE, Legend, LegendEntry
+from gui.widgets.legend import Legend
 from gui.widgets.plot import Plot
 from gui.widgets.theme import current_theme
 from gui.widgets.toggle import Toggle
@@ -264,12 +264,7 @@ class PlotsView(QWidget):
         self.residuals.set_labels("t, s", words)
         for line in picture.left:
             self.residuals.add_curve(line.x, line.y, line.colour, dashed=line.dashed)
-        self.legend.set_entries(
-            tuple(
-                LegendEntry(line.name, line.colour, DASHES if line.dashed else LINE)
-                for line in picture.left
-            )
-        )
+        self.legend.set_entries(tuple(line.legend for line in picture.left))
         logarithms = [np.log10(line.y) for line in picture.left]
         _fit(self.residuals, [line.x for line in picture.left], logarithms, 0)
 

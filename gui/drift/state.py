@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from core.arrays import FloatArray
+from gui.analysis.curves import LineState
 from gui.widgets.records_page import RecordsState
 
 ALL = -1
@@ -52,17 +53,6 @@ class ChoiceState:
     settings: Settings
     ambient_c: float
     has_file: bool
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class LineState:
-    """One curve; `colour` numbers the colours of the look."""
-
-    x: FloatArray
-    y: FloatArray
-    colour: int
-    name: str = ""
-    dashed: bool = False
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -3,12 +3,12 @@
 from pathlib import Path
 
 from core.errors import StorageError
+from gui.analysis.export import export_under
 from gui.analysis.tab import AnalysisTab
 from gui.drift.exporting import formats, page_of
 from gui.drift.library import Library
 from gui.drift.presenter import DriftPresenter
 from gui.drift.view import DriftView
-from gui.exporting import Exporting
 from gui.services import Services
 
 
@@ -20,16 +20,13 @@ class DriftTab(AnalysisTab):
         self.library = Library(services.jobs, self)
         self.presenter = DriftPresenter(self.library, services.messages, self)
         self.view = DriftView(self.presenter)
-        self.exporting = Exporting(
-            "export",
+        self.exporting = export_under(
+            self.view.page.findings,
             formats(self._draw),
             lambda: page_of(self.presenter, self.library),
-            services.root,
-            services.jobs,
-            services.messages,
+            services,
             self,
         )
-        self.exporting.serve(self.view.page.findings)
         self.library.changed.connect(self.exporting.renew)
 
     @property

@@ -2,13 +2,13 @@
 
 from PySide6.QtCore import QCoreApplication, QSize
 
+from gui.analysis.export import export_under
 from gui.analysis.tab import AnalysisTab
-from gui.exporting import Exporting
 from gui.gyrocompass.content_view import CompassContent
 from gui.gyrocompass.presenter import CompassPresenter
 from gui.gyrocompass.side_view import CompassSide
 from gui.gyrocompass.state import CompassState
-from gui.report_export import SOURCE, Report, report_formats
+from gui.report_export import Report, report_formats
 from gui.services import Services
 from gui.widgets.analysis_page import AnalysisPage
 
@@ -33,16 +33,9 @@ class CompassPage(AnalysisTab):
             ),
         )
         self._named = ""
-        self.exporting = Exporting(
-            SOURCE,
-            report_formats(),
-            self._report,
-            services.root,
-            services.jobs,
-            services.messages,
-            self,
+        self.exporting = export_under(
+            self._page.findings, report_formats(), self._report, services, self
         )
-        self.exporting.serve(self._page.findings)
         self._side.decided.connect(self.presenter.decide)
         self._side.noise.decided.connect(self.presenter.set_noise)
         self._side.noise.record_chosen.connect(self.presenter.load_noise)

@@ -9,7 +9,8 @@ from core.model.effect import AXES
 from core.procedures.thermal.cycle import ThermalCalibration, ThermalChannel
 from core.procedures.thermal.export import polynomials
 from core.procedures.thermal.record import Trend
-from gui.thermal.state import LineState, PlotState, PointState
+from gui.analysis.curves import LineState
+from gui.thermal.state import PlotState, PointState
 from gui.thermal.texts import degrees, plain_unit, with_half
 from gui.thermal.working import Outcome, RecordOutcome, TiltTable
 

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 from gui.languages.shown import shown
 from gui.thermal.state import PlotState, ThermalState
 from gui.widgets.fields import ChoiceField
-from gui.widgets.legend import DASHES, LINE, POINT, Legend, LegendEntry
+from gui.widgets.legend import POINT, Legend, LegendEntry
 from gui.widgets.plot import Plot
 from gui.widgets.theme import current_theme
 from gui.widgets.word_label import WordLabel
@@ -143,8 +143,7 @@ def _legend(states: tuple[PlotState, ...]) -> tuple[LegendEntry, ...]:
         for points in state.points:
             entries[LegendEntry(points.name, points.colour, POINT)] = None
         for line in state.lines:
-            mark = DASHES if line.dashed else LINE
-            entries[LegendEntry(line.name, line.colour, mark)] = None
+            entries[line.legend] = None
     return tuple(entries)
 
 

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from core.arrays import FloatArray
+from gui.analysis.curves import LineState
 from gui.widgets.records_page import RecordsState
 
 FOUND = -1
@@ -28,17 +29,6 @@ class Settings:
     reference_c: float = float("nan")
     g_mps2: float = KYIV_G_MPS2
     outputs: str = ""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class LineState:
-    """One curve; `colour` numbers the colours of the look."""
-
-    x: FloatArray
-    y: FloatArray
-    colour: int
-    name: str = ""
-    dashed: bool = False
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -3,8 +3,8 @@
 from pathlib import Path
 
 from core.errors import StorageError
+from gui.analysis.export import export_under
 from gui.analysis.tab import AnalysisTab
-from gui.exporting import Exporting
 from gui.services import Services
 from gui.thermal.exporting import formats
 from gui.thermal.library import Library
@@ -22,16 +22,13 @@ class ThermalTab(AnalysisTab):
             self.library, services.root, services.jobs, services.messages, self
         )
         self.view = ThermalView(self.presenter)
-        self.exporting = Exporting(
-            "export",
+        self.exporting = export_under(
+            self.view.page.findings,
             formats(self._draw),
             lambda: self.library.result,
-            services.root,
-            services.jobs,
-            services.messages,
+            services,
             self,
         )
-        self.exporting.serve(self.view.page.findings)
         self.library.changed.connect(self.exporting.renew)
 
     @property

@@ -2,9 +2,9 @@
 
 from PySide6.QtCore import QCoreApplication, QSize
 
+from gui.analysis.export import export_under
 from gui.analysis.tab import AnalysisTab
-from gui.exporting import Exporting
-from gui.report_export import SOURCE, Report, report_formats
+from gui.report_export import Report, report_formats
 from gui.services import Services
 from gui.tumble.content_view import TumbleContent
 from gui.tumble.presenter import TumblePresenter
@@ -30,16 +30,9 @@ class TumblePage(AnalysisTab):
                 QCoreApplication.translate("Tumble", "All files (*)"),
             ),
         )
-        self.exporting = Exporting(
-            SOURCE,
-            report_formats(),
-            self._report,
-            services.root,
-            services.jobs,
-            services.messages,
-            self,
+        self.exporting = export_under(
+            self._page.findings, report_formats(), self._report, services, self
         )
-        self.exporting.serve(self._page.findings)
         self._named = ""
         self._side.decided.connect(self.presenter.decide)
         self._page.triggered.connect(self.presenter.act)
