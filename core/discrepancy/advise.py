@@ -47,7 +47,8 @@ def advise(
 
     Parameters
     ----------
-    doubtful : places of steps that may be structure which no effect explains
+    doubtful : places of steps that may be structure which no effect explains; that behind the
+        last is such a step itself
     """
     sets = tied_sets(engine, state, doubtful)
     if not sets:
@@ -83,6 +84,10 @@ def tied_sets(
                 members.append(Rival((name,), slots, max(weight, 0.05)))
         if len(members) > 1:
             sets.append(members)
+    if len(state.slots) in doubtful:
+        near = sorted(engine.search.scores(state).values(), key=lambda one: -one.evidence)
+        slots = [one.slot for one in near if one.slot is not None and one.slot.raw.shape[1]]
+        sets.append([Rival((s.name,), (*state.slots, s), 1.0) for s in slots[:_NEAREST]])
     return sets
 
 

@@ -131,10 +131,14 @@ def calibrated(engine: Engine) -> Engine:
     top = np.sort(np.max(evidence - doubts[:, None], axis=0))
     threshold = max(_LEAST, float(np.quantile(top, 1.0 - engine.settings.alpha)))
     names = len(engine.bank.names)
+    doubted = dict(zip(engine.bank.names, doubts[:names].tolist(), strict=True))
+    # Noise favours what has no parameters by more than 1 / alpha in alpha of all cases at most
+    # (Markov); no noise needs to be simulated for that.
+    short = max(-float(np.log(engine.settings.alpha)) - threshold, 0.0)
     search = replace(
         search,
         threshold=threshold,
-        doubts=dict(zip(engine.bank.names, doubts[:names].tolist(), strict=True)),
+        doubts=doubted | dict.fromkeys(search.relabels.all_names, short),
         curve_doubts=tuple(doubts[names:].tolist()),
     )
     return replace(engine, search=search, nulls=nulls, top=top)

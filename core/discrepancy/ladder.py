@@ -173,7 +173,9 @@ class Ladder:
         left = locate(engine, self.state) if self.slots else ()
         steps = doubted(steps, noise, left, engine.settings.alpha, ROWS, imitated=self.imitated)
         doubtful = frozenset(
-            place for place, step in enumerate(steps) if UNKNOWN in step.indistinguishable_from
+            place
+            for place, step in enumerate(steps)
+            if UNKNOWN in (step.effect, *step.indistinguishable_from)
         )
         after = steps[-1].after if steps else before
         nothing = frozen(np.zeros(len(problem.y)))

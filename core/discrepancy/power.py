@@ -58,8 +58,5 @@ def invisible_of(engine: Engine) -> tuple[str, ...]:
     """Identifiers of the effects that the plan cannot show, whatever their size."""
     projected, bank = engine.search.bank, engine.bank
     seen = {bank.names[int(i)] for i in np.unique(bank.name[projected.seen])}
-    seen |= set(engine.search.relabels.names)
-    exchange = engine.search.relabels.exchange
-    if exchange is not None:
-        seen.add(exchange.id)
+    seen |= set(engine.search.relabels.all_names)
     return tuple(effect.id for effect in engine.problem.effects if effect.id not in seen)

@@ -104,6 +104,12 @@ class Relabels:
             inner=identity.T @ identity,
         )
 
+    @property
+    def all_names(self) -> tuple[str, ...]:
+        """Identifiers, the exchange of rows among them."""
+        exchange = () if self.exchange is None else (self.exchange.id,)
+        return (*dict.fromkeys(self.names), *exchange)
+
     def scores(self, state: State) -> dict[str, tuple[float, Slot]]:
         """Evidence of each name, and its best instance as a slot."""
         found: dict[str, tuple[float, Slot]] = {}

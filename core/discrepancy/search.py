@@ -92,7 +92,7 @@ class Search:
                 value += self.whole(slot, state)
             found[name] = Scored(value, value - self.doubts.get(name, 0.0), slot)
         for name, (value, slot) in self.relabels.scores(state).items():
-            found[name] = Scored(value, value, slot)
+            found[name] = Scored(value, value - self.doubts.get(name, 0.0), slot)
         return found
 
     def _plausible(self, instance: int, state: State) -> float:

@@ -5,12 +5,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.discrepancy.engine import Engine
-from core.discrepancy.problem import TESTS
-from core.discrepancy.result import UNKNOWN
 from core.discrepancy.search import Scored, ranking
 from core.discrepancy.slots import State
 
-_TIE, _TIE_UNKNOWN = 3.0, 5.0
+_TIE = 3.0
+_FAST, _FOLDED_ONTO = "head_periodic_error", ("head_eccentricity", "head_ellipticity")
+"""On few equal steps a fast error of the dial has the columns of a slow one and none of its own."""
+
 _ALIAS = 0.998
 """Square of the cosine above which nothing can tell two effects apart."""
 
@@ -50,13 +51,7 @@ def rivals_of(engine: Engine, state: State, place: int) -> Rivals:
     own = next((item for item in ranked if item[0] == slot.name), ranked[0])
     # A twin of the step gets evidence for nothing but its name: one of many places has less.
     top = max(evidence, ranked[0][1].evidence)
-    # Structure in rows is the rival of every name; of a record, drift without a name is usual.
-    near = _TIE_UNKNOWN if engine.problem.run.test in TESTS else _TIE
-    tied = [
-        name
-        for name, one, _ in ranked
-        if name != slot.name and one.evidence > top - (near if name == UNKNOWN else _TIE)
-    ]
+    tied = [name for name, one, _ in ranked if one.evidence > top - _TIE and name != slot.name]
     # A whole number of degrees tells a wrong angle from all that merely looks like it.
     told = slot.instance.effect.step > 0.0 and search.whole(slot, others) > 0.0
     twins = () if told else aliases(engine, state, place)
@@ -84,8 +79,12 @@ def aliases(engine: Engine, state: State, place: int) -> tuple[str, ...]:
     fitted = left @ (left.T @ others.residual)
     explained, _ = search.bank.explained(fitted, others.added)
     same = explained > _ALIAS * float(fitted @ fitted)
-    return tuple(
+    found = tuple(
         name
         for number, name in enumerate(bank.names)
         if name != slot.name and np.any(same & (bank.name == number))
     )
+    offered = {effect.id for effect in engine.problem.effects}
+    if slot.name in _FOLDED_ONTO and _FAST in offered and _FAST not in bank.names:
+        return (*found, _FAST)
+    return found
