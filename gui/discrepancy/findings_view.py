@@ -25,8 +25,8 @@ from gui.widgets.result_table import ResultTable
 from gui.widgets.theme import current_theme
 from gui.widgets.word_label import WordLabel
 
-_GRADE, _TRIAL = 2, 3
-"""Places of what the rows can show, and of blind trials."""
+_NEXT, _GRADE, _TRIAL = 1, 2, 3
+"""Places of what to measure next, of what the rows can show, and of blind trials."""
 
 
 class FindingsView(QWidget):
@@ -119,7 +119,7 @@ class FindingsView(QWidget):
         tied = any(len(card.tied) > 1 for card in state.proposals)
         if fresh or old.following != state.following or old.proposals != state.proposals:
             self._render_following(state.following, tied)
-        if fresh or old.grade != state.grade:
+        if fresh or (old.lights, old.grade) != (state.lights, state.grade):
             self._render_grade(state)
         self._name_pages()
 
@@ -142,6 +142,8 @@ class FindingsView(QWidget):
     def show_trial(self, case: str | None) -> None:
         """Show the page of a case when it begins; None for no case."""
         self.pages.setTabVisible(_TRIAL, case is not None)
+        # What nobody measured needs no further measurement.
+        self.pages.setTabVisible(_NEXT, case is None)
         if case is not None and case != self._trial:
             self.pages.setCurrentIndex(_TRIAL)
         self._trial = case or ""

@@ -1,7 +1,7 @@
 """What a plan can show, effect by effect, as a list of lights."""
 
 from PySide6.QtCore import QRectF, Qt
-from PySide6.QtGui import QPainter, QPaintEvent
+from PySide6.QtGui import QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QWidget
 
 from gui.discrepancy.state import LightRow
@@ -34,7 +34,7 @@ class GradeView(QWidget):
     def __init__(self, rows: tuple[LightRow, ...], parent: QWidget | None = None) -> None:
         super().__init__(parent)
         unit = self.fontMetrics().height()
-        grid = QGridLayout(self)
+        grid = self._grid = QGridLayout(self)
         grid.setContentsMargins(0, 0, 0, unit // 2)
         grid.setHorizontalSpacing(unit // 2)
         grid.setVerticalSpacing(unit // 4)
@@ -50,3 +50,8 @@ class GradeView(QWidget):
             grid.addWidget(light, 2 * place, 0, Qt.AlignmentFlag.AlignTop)
             grid.addWidget(title, 2 * place, 1)
             grid.addWidget(detail, 2 * place + 1, 1)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        # A page that scrolls asks no widget how high it is at its width.
+        self.setMinimumHeight(self._grid.heightForWidth(event.size().width()))

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QHBoxLayout, QSplitter, QVBoxLayout, QWidget
 
 from core.arrays import FloatArray
 from gui.discrepancy.state import PictureState, StoryState
+from gui.languages.shown import shown
 from gui.widgets.colours import Theme, blend
 from gui.widgets.fields import ChoiceField
 from gui.widgets.legend import DASHES, LINE, POINT, Legend, LegendEntry
@@ -59,7 +60,7 @@ class RowsPlot(Plot):
 
     def add_words(self, x: float, y: float, text: str, above: bool, across: float) -> None:
         """Write what is worst beside its place, which lies so far across the plot, 0 to 1."""
-        item = pg.TextItem(text, anchor=(min(max(across, 0.0), 1.0), 1.2 if above else -0.2))
+        item = pg.TextItem(shown(text), anchor=(min(max(across, 0.0), 1.0), 1.2 if above else -0.2))
         item.setPos(x, y)
         item.setZValue(20)
         self._add(item, lambda theme: item.setColor(theme.tones[Tone.BAD]))

@@ -134,7 +134,7 @@ class DiscrepancyPresenter(QObject):
             detail=None if candidate is None else detail_of(candidate),
             following=() if self._alone else following_of(story),
             lights=lights_of(told) if self._alone == "plan" else (),
-            grade=grade_of(told),
+            grade=() if self._alone == "plan" else grade_of(told),
             notes=(*run.notes, *(judged or told).notes),
             actions=self._items(),
             hint="",
