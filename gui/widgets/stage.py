@@ -27,7 +27,7 @@ LEAST_PX = 48
 _MOST_PX = 84
 _DETAIL = (1.7, 1.5, 1.3, 1.15, 1.0)
 """Sizes of the detail, of the window's letters; narrow stages begin with the third."""
-_WIDE_PX = 700
+_WIDE_PX = 660
 _BAR_PX = 8
 _LEAST_LINES = 13
 """Least height of the stage in the window's lines, whatever it says."""
