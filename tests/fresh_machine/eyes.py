@@ -65,10 +65,21 @@ def look(name):
 
 def main():
     Atspi.init()
-    for line in sys.stdin:
+    loop = GLib.MainLoop()
+
+    def answer(_source, _condition):
+        line = sys.stdin.readline()
+        if not line:
+            loop.quit()
+            return False
         # A cache of names would tell what stood there before.
         Atspi.get_desktop(0).clear_cache()
         print(json.dumps(look(line.strip())), flush=True)
+        return True
+
+    # The loop also takes in what programs tell unasked; left lying it would fill the bus.
+    GLib.io_add_watch(0, GLib.PRIORITY_DEFAULT, GLib.IO_IN | GLib.IO_HUP, answer)
+    loop.run()
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@ screen reader says; keys and clicks are sent by xdotool to the X server.
 
 import json
 import os
+import select
 import shutil
 import signal
 import subprocess
@@ -28,6 +29,7 @@ NEEDED = {
 }
 """What is needed beside the program: a command or a path, and the Debian package that has it."""
 EYES = Path(__file__).with_name("eyes.py")
+_LOOKS, _LOOK_S = 3, 60.0
 DEBIANS_PYTHON = "/usr/bin/python3"
 
 
@@ -159,15 +161,19 @@ class Screen:
 
     def look(self) -> list[Seen]:
         """Return everything that the program shows now."""
-        inward, outward = self._eyes.stdin, self._eyes.stdout
-        assert inward is not None
-        assert outward is not None
-        inward.write(b"CalRig\n")
-        inward.flush()
-        return [
-            Seen(role, name, x, y, width, height, frozenset(states), text)
-            for role, name, x, y, width, height, states, text in json.loads(outward.readline())
-        ]
+        for _ in range(_LOOKS):
+            inward, outward = self._eyes.stdin, self._eyes.stdout
+            assert inward is not None
+            assert outward is not None
+            inward.write(b"CalRig\n")
+            inward.flush()
+            if select.select([outward], [], [], _LOOK_S)[0]:
+                found = json.loads(outward.readline())
+                return [Seen(*one[:6], frozenset(one[6]), one[7]) for one in found]
+            # The bus has lost an answer, and libatspi waits for it for ever.
+            self._eyes.kill()
+            self._eyes = self._begin([DEBIANS_PYTHON, str(EYES)], piped=True)
+        raise NotSeenError("answers on the accessibility bus")
 
     def find(self, name: str, role: str = "") -> Seen | None:
         """Return what has this name; of a pattern such as ``*part*`` the shortest that fits."""
