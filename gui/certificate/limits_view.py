@@ -19,7 +19,7 @@ from gui.certificate.texts import rule_titles
 from gui.languages.shown import shown, shown_number
 from gui.widgets.fields import ChoiceField
 
-_NOMINAL, _LIMIT = 1, 2
+_NOMINAL, _LIMIT, _UNIT = 1, 2, 3
 
 
 class LimitsForm(QWidget):
@@ -106,6 +106,9 @@ class LimitsForm(QWidget):
                 if item.text() != text:
                     item.setText(text)
                 item.setToolTip(shown(row.problem or f"{row.parameter}: {text}"))
+        if fresh:
+            # Units of noise are wide: ``deg/sqrt(s)``; the heading is wider in some languages.
+            self.table.resizeColumnToContents(_UNIT)
         blocker.unblock()
 
     def _show_parts(self, parts: tuple[PartRow, ...]) -> None:

@@ -726,7 +726,7 @@
         <message>
             <location filename="../../gui/certificate/html.py" />
             <source>± Limit</source>
-            <translation>± Limit</translation>
+            <translation>± межа</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/html.py" />
@@ -2245,7 +2245,7 @@
         <message>
             <location filename="../../gui/certificate/limits_view.py" />
             <source>± Limit</source>
-            <translation>± Limit</translation>
+            <translation>± межа</translation>
         </message>
         <message>
             <location filename="../../gui/certificate/limits_view.py" />
