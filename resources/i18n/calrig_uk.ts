@@ -66,7 +66,7 @@
         <message>
             <location filename="../../gui/accuracy/settings_view.py" />
             <source>with uncertainty: guard band U</source>
-            <translation>з невизначеністю: захисна смуга U</translation>
+            <translation>захисна смуга U</translation>
         </message>
         <message>
             <location filename="../../gui/accuracy/settings_view.py" />
