@@ -2735,7 +2735,7 @@
         <message>
             <location filename="../../gui/advisor/plan_view.py" />
             <source>Steps: tick off what you would leave out</source>
-            <translation>Шаги: снимите отметку с тех, которые пропустили бы</translation>
+            <translation>Шаги: снимите отметку с лишних</translation>
         </message>
         <message>
             <location filename="../../gui/advisor/plan_view.py" />

@@ -2735,7 +2735,7 @@
         <message>
             <location filename="../../gui/advisor/plan_view.py" />
             <source>Steps: tick off what you would leave out</source>
-            <translation>Кроки: зніміть позначку з тих, які пропустили б</translation>
+            <translation>Кроки: зніміть позначку із зайвих</translation>
         </message>
         <message>
             <location filename="../../gui/advisor/plan_view.py" />
