@@ -4,8 +4,8 @@ Run by Debian's own Python, which has the packages ``python3-gi`` and ``gir1.2-a
 
     /usr/bin/python3 tests/fresh_machine/eyes.py
 
-For every line that comes in, a line goes out: a JSON list of what the program of that name shows,
-each ``[role, name, x, y, width, height, states, text]`` in pixels of the screen.
+For every line that comes in, a line goes out: a JSON list of what with a name the program of that
+name shows, each ``[role, name, x, y, width, height, states, text]`` in pixels of the screen.
 """
 
 import json
@@ -17,32 +17,25 @@ gi.require_version("Atspi", "2.0")
 from gi.repository import Atspi, GLib  # noqa: E402  # pyright: ignore[reportMissingImports]
 
 _STATES = ("FOCUSED", "CHECKED", "ENABLED", "SELECTED")
+_FIELDS = ("text", "spin button")
 _WIDEST = 400
 """Children looked at: a table of a million samples would never end."""
 
 
 def seen(part, found):
-    """Add what an accessible object and those inside it show."""
+    """Add what an accessible object and those inside it show; each question asks the program."""
     states = part.get_state_set()
-    place = part.get_extents(Atspi.CoordType.SCREEN)
-    if states.contains(Atspi.StateType.SHOWING):
+    role = part.get_role_name()
+    if not states.contains(Atspi.StateType.SHOWING):
+        if role != "application":
+            return
+    elif name := part.get_name():
+        place = part.get_extents(Atspi.CoordType.SCREEN)
         text = ""
-        if "Text" in part.get_interfaces() and "EditableText" in part.get_interfaces():
+        if role in _FIELDS:
             text = part.get_text(0, min(part.get_character_count(), 200))
-        found.append(
-            [
-                part.get_role_name(),
-                part.get_name(),
-                place.x,
-                place.y,
-                place.width,
-                place.height,
-                [name for name in _STATES if states.contains(getattr(Atspi.StateType, name))],
-                text,
-            ]
-        )
-    elif part.get_role_name() != "application":
-        return
+        told = [one for one in _STATES if states.contains(getattr(Atspi.StateType, one))]
+        found.append([role, name, place.x, place.y, place.width, place.height, told, text])
     for number in range(min(part.get_child_count(), _WIDEST)):
         child = part.get_child_at_index(number)
         if child is not None:
