@@ -14,8 +14,9 @@ _PERIOD_MS = 500
 class Collector(QObject):
     """Collects by Python's own thresholds, on a timer of the thread that it is made in.
 
-    Nothing is collected while the program starts, when hardly anything dies. What exists when `settle` is called is looked at no more, so that a full collection does not
-    stop the window for a tenth of a second.
+    Nothing is collected while the program starts, when hardly anything dies. What exists when
+    `settle` is called is looked at no more, so that a full collection does not stop the window for
+    a tenth of a second.
     """
 
     def __init__(self, parent: QObject | None = None) -> None:
