@@ -202,7 +202,7 @@ class _Counter(QWidget):
         self._number.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         self._sign = _Sign()
         self._sign.set_tone(Tone.DOUBT)
-        row = QHBoxLayout(self)
+        row = self._row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(self.fontMetrics().height() // 3)
         row.addWidget(self._sign)
@@ -230,4 +230,4 @@ class _Counter(QWidget):
             font.setBold(value > 0)
             self._number.setFont(font)
         # The strip asks for the new width at once.
-        self.layout().activate()
+        self._row.activate()
