@@ -53,8 +53,8 @@ def test_dot_and_cross_differ(qapp):
 
 
 def test_words_for_a_screen_reader(qapp):
-    assert describe(Pose("X_from", 90)) == "X from, 90°, X from the head, Y down, Z right"
-    assert describe(Pose("Y_to", 270)) == "Y to, 270°, X up, Y to the head, Z left"
+    assert describe(Pose("X_from", 90)) == "X from ODH, 90°, X from the head, Y down, Z right"
+    assert describe(Pose("Y_to", 270)) == "Y to ODH, 270°, X up, Y to the head, Z left"
     assert angle_text(-22.5) == "\N{MINUS SIGN}22.5°"
     assert angle_text(360.0) == "360°"
 
@@ -63,7 +63,7 @@ def test_widget_takes_a_pose_and_goes_empty(qtbot):
     picture = PositionPicture()
     qtbot.addWidget(picture)
     picture.set_pose(Pose("X_from", 90))
-    assert picture.accessibleName().startswith("X from, 90°")
+    assert picture.accessibleName().startswith("X from ODH, 90°")
     assert picture.heightForWidth(123) == 123
     picture.set_pose(None)
     assert picture.accessibleName() == ""
@@ -87,4 +87,4 @@ def test_a_bad_pose_leaves_the_old_picture(qtbot):
     picture.set_pose(Pose("X_from", 90))
     with pytest.raises(ValueError, match="unknown mount"):
         picture.set_pose(Pose("up", 0))
-    assert picture.accessibleName().startswith("X from, 90°")
+    assert picture.accessibleName().startswith("X from ODH, 90°")
