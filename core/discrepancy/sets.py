@@ -58,7 +58,7 @@ def rivals_of(engine: Engine, state: State, place: int) -> Rivals:
     return Rivals(
         others=others,
         ranked=ranked,
-        names=tuple(dict.fromkeys([*tied, *twins])),
+        names=tuple(dict.fromkeys([*tied, *twins, *_folded(engine, (*tied, *twins))])),
         aliases=twins,
         probability=own[2],
         evidence=evidence,
@@ -84,7 +84,11 @@ def aliases(engine: Engine, state: State, place: int) -> tuple[str, ...]:
         for number, name in enumerate(bank.names)
         if name != slot.name and np.any(same & (bank.name == number))
     )
-    offered = {effect.id for effect in engine.problem.effects}
-    if slot.name in _FOLDED_ONTO and _FAST in offered and _FAST not in bank.names:
-        return (*found, _FAST)
-    return found
+    return (*found, *_folded(engine, (slot.name,)))
+
+
+def _folded(engine: Engine, names: tuple[str, ...]) -> tuple[str, ...]:
+    """A fast error of the dial, where these rows show it as a slow one among the names."""
+    offered = any(effect.id == _FAST for effect in engine.problem.effects)
+    folds = offered and _FAST not in engine.bank.names
+    return (_FAST,) if folds and not set(names).isdisjoint(_FOLDED_ONTO) else ()

@@ -3,7 +3,7 @@
 import numpy as np
 
 from core.discrepancy.ladder import Ladder
-from core.discrepancy.sets import aliases
+from core.discrepancy.sets import aliases, rivals_of
 from core.discrepancy.settings import Settings
 from tests.core.discrepancy.hidden import ARCSEC, head_run
 
@@ -31,6 +31,13 @@ def eccentric(rows) -> tuple[str, ...]:
 def test_a_fast_error_of_the_dial_folds_onto_the_slow_ones_at_four_angles():
     assert "head_periodic_error" in eccentric(CARDINAL)
     assert "head_periodic_error" not in eccentric(FINE)
+
+
+def test_a_name_tied_with_the_slow_error_of_a_dial_is_tied_with_the_fast_one_too():
+    ladder = Ladder.of(head_run(lambda q: 4e-4 * q.a[:, 2] ** 2, CARDINAL, seed=5), QUICK).found()
+    names = rivals_of(ladder.engine, ladder.state, 0).names
+    assert ladder.slots[0].name == "second_order_nonlinearity"
+    assert {"head_eccentricity", "head_periodic_error"} <= set(names)
 
 
 def test_a_relabelling_needs_a_hundred_to_one_whatever_the_threshold_of_the_plan():
