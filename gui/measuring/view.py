@@ -34,8 +34,8 @@ _NO_LIMIT = 16777215
 """Qt's own largest size of a widget."""
 _MANY = 4
 """From so many sensors the live table stands beside the graph."""
-_WIDE = 85
-"""Width in line heights from which stage and results have room side by side."""
+_WIDE = 92
+"""Width in line heights from which stage and results have room side by side, long words too."""
 
 
 class MeasuringView(QWidget):
