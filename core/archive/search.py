@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from sqlalchemy import Connection, Select, and_, func, insert, select
+from sqlalchemy import Connection, Select, and_, exists, func, insert, not_, select
 
 from core.archive.entry import Entry, Found, Quantity
 from core.archive.tables import ENTRIES, QUANTITIES
@@ -16,6 +16,19 @@ _TEXTS = (
     *("measured", "verdict", "remark", "sha256"),
 )
 _ENTRY = (*(_E[name] for name in _TEXTS), _E.temperature_c, _E["count"], _E.id, _E.place)
+_OTHER = ENTRIES.alias("other").c
+_NO_COPY = not_(
+    exists(select(_OTHER.id)).where(
+        _E.kind == "calibration",
+        _E.sha256 != "",
+        _OTHER.place == _E.place,
+        _OTHER.folder == _E.folder,
+        _OTHER.kind == _E.kind,
+        _OTHER.sha256 == _E.sha256,
+        _OTHER.id < _E.id,
+    )
+)
+"""A calibration that was exported stands twice in its folder, to the byte, and counts once."""
 _QUANTITY = (_Q.channel, _Q.name, _Q.symbol, _Q.unit, _Q.value, _Q.u, _Q.dof)
 
 
@@ -65,7 +78,7 @@ def search(connection: Connection, wanted: Wanted, limit: int) -> Hits:
         conditions.append(_E.kind.in_(wanted.kinds))
     if wanted.serial:
         conditions.append(_E.serial == wanted.serial)
-    found = and_(True, *conditions)
+    found = and_(_NO_COPY, *conditions)
     rows = connection.execute(
         select(*_ENTRY).where(found).order_by(_E.measured.desc(), _E.id.desc()).limit(limit)
     ).all()
@@ -96,7 +109,7 @@ def readings(
     query: Select[Any] = (
         select(*_ENTRY, *_QUANTITY)
         .join(QUANTITIES, _Q.entry == _E.id)
-        .where(_E.serial == serial, _Q.name == name, _Q.channel == channel)
+        .where(_E.serial == serial, _Q.name == name, _Q.channel == channel, _NO_COPY)
         .order_by(_E.measured, _E.id)
     )
     if sensor:

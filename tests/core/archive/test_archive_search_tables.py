@@ -62,6 +62,17 @@ def test_quantities_go_with_their_entry(archive: Archive, root: Path) -> None:
     assert archive.readings("A", "b", "x") == ()
 
 
+def test_a_calibration_that_was_exported_counts_once(archive: Archive) -> None:
+    found = (Quantity("x", "bias", "U0", "code", 1.0, 1.0),)
+    same = {"serial": "A", "sha256": "ab"}
+    put(archive, *(Found(Entry("calibration", path, **same), found) for path in ("1", "2")))
+    other = Entry("calibration", "3", **{**same, "sha256": "cd"})
+    put(archive, Found(other, found), Found(Entry("run", "4", **same)))
+    assert sorted(entry.path for entry in archive.search().entries) == ["1", "3", "4"]
+    assert archive.search().total == 3
+    assert len(archive.readings("A", "bias", "x")) == 2
+
+
 def test_every_earlier_version_has_its_migration() -> None:
     assert set(MIGRATIONS) == set(range(1, VERSION))
     assert all(table.startswith("archive_") for table in TABLES.tables)
