@@ -9,6 +9,10 @@ from drivers.teach.pace import clock_doubt
 
 KEPT = 1 << 16
 """Bytes that are kept."""
+_BACKLOG_S = 0.3
+"""In the first moments comes what had waited in the system, faster than the board sends."""
+_TELLS_S = 1.0
+"""A shorter time tells no rate of boards that send in bursts."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,7 +23,7 @@ class Heard:
     ----------
     tail : the latest bytes
     total : all bytes so far
-    seconds : from the end of the first read to that of the last
+    seconds : from the end of the first read, without what had waited before it, to that of the last
     within : bytes that came in this time
     port : address that they came from; empty if unknown
     baud : its speed where it limits how fast they can have come; 0 if unknown
@@ -35,7 +39,7 @@ class Heard:
     @property
     def bytes_per_s(self) -> float:
         """Mean rate of the bytes; 0 while it cannot be told."""
-        return self.within / self.seconds if self.seconds > 0.2 else 0.0
+        return self.within / self.seconds if self.seconds > _TELLS_S else 0.0
 
     @property
     def doubt(self) -> str:
@@ -49,6 +53,7 @@ class Ear:
     def __init__(self, kept: int = KEPT, port: str = "") -> None:
         self._kept = kept
         self._port = port
+        self._opened = 0.0
         self._begun = 0.0
         self._first = 0
         self.heard = Heard(port=port)
@@ -67,10 +72,12 @@ class Ear:
     def feed(self, data: bytes) -> list[Event]:
         """Keep some bytes."""
         now = time.monotonic()
-        if not self.heard.total:
-            self._begun, self._first = now, len(data)
         tail = (self.heard.tail + data)[-self._kept :]
         total = self.heard.total + len(data)
+        if not self.heard.total:
+            self._opened = now
+        if now - self._opened < _BACKLOG_S:
+            self._begun, self._first = now, total
         self.heard = Heard(tail, total, now - self._begun, total - self._first, self._port)
         return []
 

@@ -44,7 +44,6 @@ from gui.widgets.states import BannerState
 
 _ENOUGH = 2000
 _HINTS_EVERY = 10
-_LONG_S = 2.0
 
 
 class FramesPresenter(QObject):
@@ -265,7 +264,7 @@ class FramesPresenter(QObject):
         """Count the samples a second once the stream has been heard for long enough."""
         heard = self.source.heard
         hz = heard.bytes_per_s * self.readings.per_byte
-        if heard.seconds > _LONG_S and hz > 0.0 and not heard.doubt:
+        if hz > 0.0 and not heard.doubt:
             self.taught = replace(self.taught, hz=usual_rate(hz), why_hz="")
 
     def _look(self) -> None:

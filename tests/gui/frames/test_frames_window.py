@@ -37,6 +37,7 @@ def test_an_unknown_board_comes_to_live_charts(operator: Operator, board: Board)
         operator.type(form.role.lineEdit(), f"acc.{axis}")
     operator.bot.keyClicks(view.definition.name, "Strange board")
     assert presenter.state.doubt == ""
+    operator.until(lambda: presenter.state.hz > 0.0)
     operator.click(view.definition.use)
     # From here on it is a device like any other.
     link = operator.app.connection.link
