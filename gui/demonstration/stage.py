@@ -13,7 +13,7 @@ from drivers.virtual.address import rig_of
 from drivers.virtual.rig import Rig
 from gui.app import Application
 from gui.widgets.colours import THEMES
-from gui.widgets.theme import apply_theme
+from gui.widgets.theme import apply_theme, current_theme
 
 SESSIONS = "CalRig"
 """Folder of the sessions within that of the demonstration."""
@@ -109,8 +109,10 @@ class WindowStage:
         waiting = drained is not None and drained.isActive()
         if drained is not None:
             drained.stop()
-        for look in THEMES:
-            apply_theme(self._qt, look)
+        # A change of look costs as much as all the rest: the look that is worn comes first.
+        for look in sorted(THEMES, key=lambda name: THEMES[name] is not current_theme()):
+            if THEMES[look] is not current_theme():
+                apply_theme(self._qt, look)
             self.rest(_STILL_S)
             for _ in range(_STILL_TURNS):
                 self._turn()

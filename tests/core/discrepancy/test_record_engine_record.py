@@ -215,12 +215,12 @@ def test_intervals_of_named_effects_hold_their_sizes():
     """After the search has chosen the name: 95 % intervals, deviations of one uncertainty."""
     deviations: list[float] = []
     for name, (hidden, size) in SIZED.items():
-        for seed in range(300, 308):
+        for seed in range(300, 305):
             run = hour_run(hidden, seed=seed, n=180, rate=0.05)
             story = explain_record(run, Settings(advise=False))
             own = [s.parameters[0] for s in story.steps if s.effect == name]
             deviations += [(p.value - size) / p.u for p in own]
-    assert len(deviations) >= 30  # of 32
+    assert len(deviations) >= 19  # of 20
     assert np.mean(np.abs(deviations) < 1.96) >= 0.87
     assert 0.75 < np.sqrt(np.mean(np.square(deviations))) < 1.3
 

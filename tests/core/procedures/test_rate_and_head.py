@@ -185,7 +185,7 @@ def test_intervals_cover_the_truth_of_a_three_axis_gyro(slip: float, stated: boo
     conditions = Conditions(
         g_mps2=G, latitude_deg=LATITUDE, rate_u_dps=slip if stated else float("nan")
     )
-    trials = 1500
+    trials = 1000
     inside = {axis: dict.fromkeys(TRUTH[axis], 0) for axis in "xyz"}
     for _ in range(trials):
         table = table_run(rng.normal(0.0, slip, 21), rng.normal(0.0, noise, (21, 3)), noise)
