@@ -295,6 +295,10 @@ def run(environment: Environment, arguments: list[str]) -> int:
     return subprocess.call(command, env=environ)
 
 
+_TWO_WORKERS = ("-n", "2", "--dist", "loadfile", "--no-loadscope-reorder")
+"""The tests of the window wait more than they compute; long files come first, see conftest."""
+
+
 def test(environment: Environment, arguments: list[str]) -> int:
     """Lint, check and test; pytest comes last, so that its summary closes the output."""
     environ = headless_environment()
@@ -309,8 +313,7 @@ def test(environment: Environment, arguments: list[str]) -> int:
         "ruff format": ["-m", "ruff", "format", "--check", "."],
         "import rules": ["-c", import_rules],
         "pyright": ["-m", "pyright"],
-        # Two workers: the tests of the window wait more than they compute.
-        "pytest": ["-m", "pytest", "-n", "2", "--dist", "loadfile", *arguments],
+        "pytest": ["-m", "pytest", *_TWO_WORKERS, *arguments],
     }
     failed: list[str] = []
     for name, command in checks.items():

@@ -23,7 +23,8 @@ class Heard:
     ----------
     tail : the latest bytes
     total : all bytes so far
-    seconds : from the end of the first read, without what had waited before it, to that of the last
+    seconds : from the end of the first read, without what had waited before it, to that of the
+        last; 0 while that is too short to tell a rate
     within : bytes that came in this time
     port : address that they came from; empty if unknown
     baud : its speed where it limits how fast they can have come; 0 if unknown
@@ -39,7 +40,7 @@ class Heard:
     @property
     def bytes_per_s(self) -> float:
         """Mean rate of the bytes; 0 while it cannot be told."""
-        return self.within / self.seconds if self.seconds > _TELLS_S else 0.0
+        return self.within / self.seconds if self.seconds > 0.2 else 0.0
 
     @property
     def doubt(self) -> str:
@@ -78,7 +79,10 @@ class Ear:
             self._opened = now
         if now - self._opened < _BACKLOG_S:
             self._begun, self._first = now, total
-        self.heard = Heard(tail, total, now - self._begun, total - self._first, self._port)
+        seconds = now - self._begun
+        self.heard = Heard(
+            tail, total, seconds if seconds > _TELLS_S else 0.0, total - self._first, self._port
+        )
         return []
 
     def flush(self) -> list[Event]:

@@ -53,8 +53,9 @@ class WideTable(QTableView):
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
-        if event.type() == QEvent.Type.FontChange and getattr(self, "_kept", None) is not None:
-            self._kept.place()
+        kept = getattr(self, "_kept", None)  # none while Qt makes the table
+        if event.type() == QEvent.Type.FontChange and kept is not None:
+            kept.place()
 
 
 class _Kept(QTableView):

@@ -3,6 +3,7 @@
 import json
 import math
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -152,7 +153,7 @@ def test_parameters_are_compared_in_any_unit(unit: str, value: float, u: float):
 
 def test_a_number_of_a_record_is_compared_in_units_of_its_output():
     fitted = {"name": "b_H", "value": -3.2e-4, "u": 1e-5, "unit": "V"}
-    told = key("thermal_hysteresis") | {"test": "record"}
+    told: dict[str, Any] = key("thermal_hysteresis") | {"test": "record"}
     told["effects"]["thermal_hysteresis"] |= {"size": 1e-3, "shape": {"width": 0.3}}
     row = scoring.score(told, answer(step("thermal_hysteresis", parameters=[fitted])))
     assert row["z"] == pytest.approx(2.0)

@@ -34,11 +34,13 @@ def view(qtbot: QtBot) -> Iterator[WideTable]:
     qtbot.waitExposed(table)
     (found,) = table.findChildren(WideTable)
     yield found
+    table.hide()  # and so it is held until here
 
 
 def kept(view: WideTable) -> QTableView:
     (found,) = [one for one in view.findChildren(QTableView) if one is not view]
-    return found
+    yield found
+    table.hide()  # and so it is held until here
 
 
 def walk(view: WideTable, qtbot: QtBot, key: Qt.Key, times: int) -> None:
