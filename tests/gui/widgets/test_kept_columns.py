@@ -39,8 +39,7 @@ def view(qtbot: QtBot) -> Iterator[WideTable]:
 
 def kept(view: WideTable) -> QTableView:
     (found,) = [one for one in view.findChildren(QTableView) if one is not view]
-    yield found
-    table.hide()  # and so it is held until here
+    return found
 
 
 def walk(view: WideTable, qtbot: QtBot, key: Qt.Key, times: int) -> None:
