@@ -89,6 +89,11 @@ class AddedEffect:
         """Whether it acts wherever the sensor is used, and not in this test alone."""
         return self.effect in IN_USE
 
+    @property
+    def reach(self) -> str:
+        """The same in words, for the exports."""
+        return "of the sensor" if self.in_use else "of this test alone"
+
 
 class _Fixed(Effect):
     """An effect with the columns that it has in rows which were picked from a run."""
@@ -200,6 +205,11 @@ def _acts(one: _Fixed, stimulus: Stimulus, sensor: Sensor) -> bool:
     columns = one.columns(stimulus, sensor)
     size = max(float(np.abs(sensor.sensitivity).max()), 1e-300)
     return columns.shape[1] > 0 and bool(np.all(np.abs(columns).max(axis=0) > _NOTHING_SEEN * size))
+
+
+def bare_name(name: str) -> str:
+    """A parameter's name without the number that tells it from another of the same name."""
+    return name.rstrip("_0123456789")
 
 
 def _told_apart(parameters: Sequence[Parameter], sensor: Sensor) -> tuple[Parameter, ...]:

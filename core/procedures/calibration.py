@@ -74,6 +74,10 @@ class Calibration:
         ]
         return sorted(self.axes) == list(AXES) and responses == [len(AXES)] * len(AXES)
 
+    def added_to(self, channel: int) -> tuple[AddedEffect, ...]:
+        """What was added to the plain model of one sensor."""
+        return self.effects[channel] if self.effects else ()
+
     def triad(self) -> Triad:
         """The sensors as one.
 

@@ -14,7 +14,7 @@ from core.model.catalogue.listing import CATALOGUE
 from core.model.catalogue.nonlinear import CrossAxisSquare, CrossCoupling
 from core.model.effect import AXES, Effect, Sensor
 from core.model.stimulus import Stimulus
-from core.procedures.added import AddedEffect, response_of
+from core.procedures.added import AddedEffect, bare_name, response_of
 from core.procedures.calibration import Calibration
 
 _ROUNDS = 60
@@ -30,6 +30,21 @@ def has_effects(calibration: Calibration) -> bool:
 def needs_temperature(calibration: Calibration) -> bool:
     """Whether what is to be taken out depends on the temperature."""
     return any(one.effect in _BY_TEMPERATURE for own in calibration.effects for one in own)
+
+
+def linear_map(calibration: Calibration) -> tuple[FloatArray, FloatArray]:
+    """Outputs (c,) at zero input and inputs per unit of output (c, c), in the order of channels.
+
+    Three sensors with all cross axes give a = Q (U - U0) (2.5); others (U - U0) / k each.
+    """
+    zero = np.array([fit.value("bias") for fit in calibration.fits])
+    if not calibration.is_triad:
+        return zero, np.diag([1.0 / fit.value("scale_factor") for fit in calibration.fits])
+    order = [calibration.axes.index(axis) for axis in AXES]
+    inverse = np.zeros((3, 3))
+    # Q takes outputs in the order x, y, z and gives the axes in it.
+    inverse[np.ix_(order, order)] = calibration.triad().q
+    return zero, inverse
 
 
 def compensated(
@@ -49,8 +64,7 @@ def compensated(
         A temperature is needed, or the inputs do not converge: an effect is as large as the linear
         part.
     """
-    zero = np.array([fit.value("bias") for fit in calibration.fits])
-    inverse = _inverse(calibration)
+    zero, inverse = linear_map(calibration)
     found = (outputs - zero) @ inverse.T
     if not has_effects(calibration):
         return frozen(found)
@@ -89,16 +103,6 @@ def added_output(
     return total
 
 
-def _inverse(calibration: Calibration) -> FloatArray:
-    if not calibration.is_triad:
-        return np.diag([1.0 / fit.value("scale_factor") for fit in calibration.fits])
-    order = [calibration.axes.index(axis) for axis in AXES]
-    inverse = np.zeros((3, 3))
-    # Q takes outputs in the order x, y, z and gives the axes in it.
-    inverse[np.ix_(order, order)] = calibration.triad().q
-    return inverse
-
-
 def _acting(
     calibration: Calibration,
     channel: int,
@@ -129,7 +133,7 @@ def _acting(
 def _effect(one: AddedEffect, names: list[str]) -> Effect:
     """The effect of the catalogue; which axes it takes stands in the names of its parameters."""
     if one.effect == "cross_axis_nonlinearity":
-        return CrossAxisSquare(names[0].rstrip("_0123456789")[-1] if len(names) == 1 else "")
+        return CrossAxisSquare(bare_name(names[0])[-1] if len(names) == 1 else "")
     if one.effect == "cross_coupling":
-        return CrossCoupling(names[0].rstrip("_0123456789")[-2:] if len(names) == 1 else "")
+        return CrossCoupling(bare_name(names[0])[-2:] if len(names) == 1 else "")
     return CATALOGUE[one.effect].shaped(*(value for _, value, _ in one.shape))

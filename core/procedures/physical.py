@@ -2,11 +2,9 @@
 
 from dataclasses import dataclass
 
-import numpy as np
-
 from core.arrays import FloatArray, frozen
 from core.procedures.calibration import Calibration
-from core.procedures.compensation import compensated, has_effects, needs_temperature
+from core.procedures.compensation import compensated, has_effects, linear_map, needs_temperature
 from core.samples.block import Channel
 
 _PREFIX = {"accelerometer": "acc", "gyro": "rate"}
@@ -41,10 +39,7 @@ class Physical:
 
 
 def physical_of(calibration: Calibration, channels: tuple[Channel, ...]) -> Physical | None:
-    """The map for a unit that sends these channels; None where they do not fit.
-
-    Three sensors with all cross axes give a = Q (U - U0) (2.5); others (U - U0) / k each.
-    """
+    """The map for a unit that sends these channels; None where they do not fit."""
     prefix = _PREFIX[calibration.sensor]
     roles = [channel.role for channel in channels]
     wanted = [_role(name, axis, prefix) for name, axis in
@@ -54,15 +49,7 @@ def physical_of(calibration: Calibration, channels: tuple[Channel, ...]) -> Phys
     places = tuple(roles.index(role) for role in wanted)
     if any(channels[place].unit != calibration.unit for place in places):
         return None
-    zero = np.array([fit.values[fit.index("bias")] for fit in calibration.fits])
-    if calibration.is_triad:
-        order = [calibration.axes.index(axis) for axis in "xyz"]
-        matrix = np.zeros((3, 3))
-        # Q takes outputs in the order x, y, z and gives the axes in it.
-        matrix[np.ix_(order, order)] = calibration.triad().q
-    else:
-        scales = [fit.values[fit.index("scale_factor")] for fit in calibration.fits]
-        matrix = np.diag(1.0 / np.array(scales))
+    zero, matrix = linear_map(calibration)
     bent = has_effects(calibration) and not needs_temperature(calibration)
     unit = _UNITS[calibration.sensor]
     return Physical(places, frozen(matrix), frozen(zero), unit, calibration if bent else None)

@@ -17,6 +17,7 @@ from core.model.catalogue.listing import CATALOGUE
 from core.model.effect import AXES, Parameter
 from core.procedures.added import AddedEffect
 from core.procedures.calibration import Calibration, Provenance
+from core.procedures.compensation import has_effects
 from core.records.atomic import write_text_atomic
 from core.records.json_fields import (
     Fields,
@@ -137,7 +138,7 @@ def equation(calibration: Calibration) -> str:
     symbol = "a" if calibration.sensor == "accelerometer" else "w"
     unit = INPUT_UNITS[calibration.sensor]
     units = f" U in {calibration.unit}, {symbol} in {unit}"
-    bent = any(one.in_use for own in calibration.effects for one in own)
+    bent = has_effects(calibration)
     if calibration.is_triad and bent:
         return (
             f"U = K {symbol} + U0 + e({symbol}), {symbol} = Q (U - U0 - e({symbol})), Q = K^-1,"
@@ -179,7 +180,8 @@ def provenance_of_json(found: Fields) -> Provenance:
 
 def _effects_to_json(calibration: Calibration, place: int) -> dict[str, Json]:
     """What was added to the plain model of a channel; nothing where nothing was."""
-    if not calibration.effects or not calibration.effects[place]:
+    added = calibration.added_to(place)
+    if not added:
         return {}
     names = calibration.fits[place].names
     return {
@@ -195,7 +197,7 @@ def _effects_to_json(calibration: Calibration, place: int) -> dict[str, Json]:
                 "parameters": [names[i] for i in one.places],
                 "in_use": one.in_use,
             }
-            for one in calibration.effects[place]
+            for one in added
         ]
     }
 

@@ -76,10 +76,13 @@ def _parameters(calibration: Calibration, prefix: str) -> list[str]:
                 f"static const double {prefix}_{name}_{c_name(parameter.name)} = {_number(value)};"
                 f" /* {_inside(parameter.unit)}, u = {u:.2g} */"
             )
-        for one in calibration.effects[place] if calibration.effects else ():
-            whose = "of the sensor" if one.in_use else "of this test alone"
-            lines.append(f"/* {_inside(f'{one.name}: {one.equation}; {whose}')} */")
-        lines.append("")
+        lines += [
+            *(
+                f"/* {_inside(f'{one.name}: {one.equation}; {one.reach}')} */"
+                for one in calibration.added_to(place)
+            ),
+            "",
+        ]
     return lines
 
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.model.effect import AXES, Sensor
-from core.procedures.added import AddedEffect, response_of
+from core.procedures.added import bare_name, response_of
 from core.procedures.calibration import Calibration
 from core.procedures.compensation import needs_temperature
 from core.units import MILLI, PPM, STANDARD_GRAVITY
@@ -97,7 +97,7 @@ def _sensor(calibration: Calibration, place: int, row: int, name: str) -> list[s
     )
     askew = " + ".join(f"{float(r / own)!r} * s{i}" for i, r in enumerate(response))
     terms = [
-        _TERMS[one.effect](f"{name}_{fit.names[at]}", _bare(one, fit.names[at]), sizes)
+        _TERMS[one.effect](f"{name}_{fit.names[at]}", bare_name(fit.names[at]), sizes)
         for one in calibration.effects[place]
         if one.in_use
         for at in one.places
@@ -106,11 +106,6 @@ def _sensor(calibration: Calibration, place: int, row: int, name: str) -> list[s
         f"    x = {askew};",
         f"    e[{row}] = {' + '.join(terms) if terms else '0.0 * x'};",
     ]
-
-
-def _bare(one: AddedEffect, name: str) -> str:
-    """The name of a parameter without the number that tells it from another of the same name."""
-    return name.rstrip("_0123456789") if len(one.places) == 1 else name
 
 
 def _square(name: str) -> str:

@@ -64,8 +64,7 @@ def _head(calibration: Calibration) -> list[str]:
 def _effects(calibration: Calibration) -> list[str]:
     """What was added to the plain model of each sensor."""
     return [
-        f"added to {name}: {one.name}, {one.equation};"
-        f" {'of the sensor' if one.in_use else 'of this test alone'}"
+        f"added to {name}: {one.name}, {one.equation}; {one.reach}"
         for name, own in zip(calibration.channels, calibration.effects, strict=False)
         for one in own
     ]

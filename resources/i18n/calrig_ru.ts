@@ -12846,6 +12846,16 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../core/procedures/added.py" />
+            <source>of the sensor</source>
+            <translation>датчика</translation>
+        </message>
+        <message>
+            <location filename="../../core/procedures/added.py" />
+            <source>of this test alone</source>
+            <translation>только этого испытания</translation>
+        </message>
+        <message>
+            <location filename="../../core/procedures/added.py" />
             <source>effects are added to plain models alone, not to {join}</source>
             <translation>эффекты добавляются только к простым моделям, а не к {join}</translation>
         </message>
@@ -14121,8 +14131,8 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../core/records/export_csv.py" />
-            <source>added to {name}: {name2}, {equation}; {in_use}</source>
-            <translation>добавлено к {name}: {name2}, {equation}; {in_use}</translation>
+            <source>added to {name}: {name2}, {equation}; {reach}</source>
+            <translation>добавлено к {name}: {name2}, {equation}; {reach}</translation>
         </message>
         <message>
             <location filename="../../core/records/export_csv.py" />
