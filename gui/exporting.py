@@ -7,7 +7,8 @@ from typing import Any
 
 from PySide6.QtCore import QObject
 
-from core.errors import LabError, Severity, StorageError
+from core.errors import LabError, Severity
+from core.records.atomic import make_folder
 from gui.jobs import Jobs
 from gui.messages import Messages
 from gui.widgets.findings_view import FindingsView
@@ -48,7 +49,7 @@ def pictures(
     """
 
     def write(page: Any, path: Path) -> None:
-        make_folder_of(path)
+        make_folder(path.parent)
         draw(page, path)
 
     def one(key: str) -> ExportFormat:
@@ -56,20 +57,6 @@ def pictures(
         return ExportFormat(key, words, lambda page: f"{stem(page)}.{key}", write, at_once=True)
 
     return tuple(one(key) for key in _PICTURES)
-
-
-def make_folder_of(path: Path) -> None:
-    """Make the folder that a file is to be written to.
-
-    Raises
-    ------
-    StorageError
-        It cannot be made.
-    """
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise StorageError(f"{path.parent}: cannot be made ({error.strerror})") from error
 
 
 class Exporting(QObject):

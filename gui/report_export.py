@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QCoreApplication, QSize
 
-from core.records.atomic import write_text_atomic
+from core.records.atomic import make_folder, write_text_atomic
 from core.records.json_text import to_json
 from core.records.names import safe_name, stamp
-from gui.exporting import ExportFormat, make_folder_of, pictures
+from gui.exporting import ExportFormat, pictures
 from gui.widgets.states import TableState
 from gui.widgets.table_text import table_text
 
@@ -60,7 +60,7 @@ def _stem(report: Report) -> str:
 
 
 def _write_tables(report: Report, path: Path) -> None:
-    make_folder_of(path)
+    make_folder(path.parent)
     parts = [
         "\n".join(line for line in (f"# {table.title}", table_text(table, separator=",")))
         for table in report.tables
@@ -69,7 +69,7 @@ def _write_tables(report: Report, path: Path) -> None:
 
 
 def _write_data(report: Report, path: Path) -> None:
-    make_folder_of(path)
+    make_folder(path.parent)
     write_text_atomic(path, to_json(report.data))
 
 

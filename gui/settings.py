@@ -5,8 +5,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import cast
 
-from core.errors import StorageError
-from core.records.atomic import write_text_atomic
+from core.records.atomic import make_folder, write_text_atomic
 
 Section = Mapping[str, object]
 
@@ -56,10 +55,7 @@ class Settings:
         StorageError
             It could not be written; what stood there before is untouched.
         """
-        try:
-            self.path.parent.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            raise StorageError(f"{self.path.parent}: cannot be made ({error.strerror})") from error
+        make_folder(self.path.parent)
         text = json.dumps(self._sections, ensure_ascii=False, indent=1)
         write_text_atomic(self.path, text + "\n")
 

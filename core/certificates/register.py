@@ -14,7 +14,7 @@ from typing import BinaryIO
 from core.certificates.certificate import Certificate, certificate_text, parse_certificate
 from core.certificates.laboratory import Laboratory
 from core.errors import FormatError, StorageError
-from core.records.atomic import sync_folder
+from core.records.atomic import make_folder, sync_folder
 from core.records.json_fields import dump, load_document
 from core.records.names import safe_name
 from core.records.text import decode, read_bytes
@@ -96,10 +96,7 @@ class Register:
         StorageError
             The twin cannot be written; no number is lost.
         """
-        try:
-            self.folder.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            raise StorageError(f"{self.folder}: cannot be made ({error.strerror})") from error
+        make_folder(self.folder)
         for _ in range(_ATTEMPTS):
             number = self.next_number(laboratory, year)
             certificate = made(number)

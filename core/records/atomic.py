@@ -58,6 +58,20 @@ def atomic_file(path: Path) -> Generator[BinaryIO, None, None]:
             draft.unlink(missing_ok=True)
 
 
+def make_folder(folder: Path) -> None:
+    """Make a folder with those above it; one that is there already is as good.
+
+    Raises
+    ------
+    StorageError
+        It cannot be made.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise StorageError(f"{folder}: cannot be made ({error.strerror})") from error
+
+
 def append_durable(handle: int, content: bytes) -> None:
     """Append to an open file, durable when the function returns.
 

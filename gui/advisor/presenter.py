@@ -11,7 +11,7 @@ from core.plans.plan import Plan, Step, load_plans
 from core.plans.plan_text import plan_text
 from core.procedures.prediction.catalogue import METHODS
 from core.procedures.prediction.propose import Proposal
-from core.records.atomic import write_text_atomic
+from core.records.atomic import make_folder, write_text_atomic
 from core.records.names import safe_name
 from gui.advisor.findings import findings_of
 from gui.advisor.state import (
@@ -202,10 +202,7 @@ class AdvisorPresenter(QObject):
 
     def _save(self, plan: Plan) -> Path:
         path = self._root() / "plans" / f"{plan.id}.toml"
-        try:
-            path.parent.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            raise FormatError(path.parent, f"cannot be made: {error.strerror}") from error
+        make_folder(path.parent)
         write_text_atomic(path, plan_text(plan))
         return path
 

@@ -7,10 +7,11 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication
 
 from core.errors import FitError
+from core.records.atomic import make_folder
 from core.records.names import safe_name, stamp
 from core.records.noise_exports import NOISE_EXPORTS, export_noise
 from core.records.noise_study import NoiseStudy
-from gui.exporting import ExportFormat, make_folder_of, pictures
+from gui.exporting import ExportFormat, pictures
 
 Studies = tuple[NoiseStudy, ...]
 """Of the records that are shown; none while there is only a live curve, which is drawn alone."""
@@ -29,7 +30,7 @@ def _file(key: str) -> ExportFormat:
     def write(studies: Studies, path: Path) -> None:
         if not studies:
             raise FitError("no analysed record is shown; analyse a record first")
-        make_folder_of(path)
+        make_folder(path.parent)
         export_noise(studies, key, path)
 
     kind = NOISE_EXPORTS[key]

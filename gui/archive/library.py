@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Signal
 
 from core.archive.place import same_place
 from core.errors import LabError, StorageError
+from core.records.atomic import make_folder
 from gui.jobs import Job, Jobs
 
 if TYPE_CHECKING:
@@ -116,10 +117,7 @@ class Library(QObject):
         if self._archive is None:
             if root != self._seen:
                 # A folder that was there and is gone is not made anew: its disk may come back.
-                try:
-                    root.mkdir(parents=True, exist_ok=True)
-                except OSError as error:
-                    raise StorageError(f"{root}: cannot be made ({error.strerror})") from error
+                make_folder(root)
             self._archive = Archive(root, more=RAW_READERS)
             self._seen = root
         return self._archive

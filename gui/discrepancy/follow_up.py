@@ -10,7 +10,7 @@ from core.discrepancy.result import NextMeasurement
 from core.errors import LabError, Severity, StorageError
 from core.plans.plan import Plan
 from core.plans.plan_text import plan_text
-from core.records.atomic import write_text_atomic
+from core.records.atomic import make_folder, write_text_atomic
 from core.records.names import safe_name
 from gui.discrepancy.cards import measurements_of
 from gui.discrepancy.working import Story
@@ -95,10 +95,7 @@ def keep_plan(plan: Plan, device: str, folder: Path) -> Path:
     StorageError
         It cannot be written.
     """
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise StorageError(f"{folder}: cannot be made ({error.strerror})") from error
+    make_folder(folder)
     stem = safe_name(f"{device}_{plan.id}")
     for count in range(1, 1000):
         plan_id = stem if count == 1 else f"{stem}_{count}"

@@ -9,12 +9,13 @@ from PySide6.QtCore import QCoreApplication
 
 from core.procedures.calibration import Provenance
 from core.procedures.drift.compensate import DriftResult
+from core.records.atomic import make_folder
 from core.records.drift_exports import DRIFT_EXPORTS
 from core.records.names import safe_name
 from core.version import SOFTWARE
 from gui.drift.library import Library
 from gui.drift.presenter import DriftPresenter
-from gui.exporting import ExportFormat, make_folder_of, pictures
+from gui.exporting import ExportFormat, pictures
 
 PROCEDURE = "drift after switching on, source 003"
 
@@ -48,7 +49,7 @@ def _file(key: str) -> ExportFormat:
     kind = DRIFT_EXPORTS[key]
 
     def write(page: Page, path: Path) -> None:
-        make_folder_of(path)
+        make_folder(path.parent)
         provenance = Provenance(
             procedure=PROCEDURE,
             device=page.device,

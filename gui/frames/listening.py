@@ -4,6 +4,7 @@ from datetime import datetime
 from pathlib import Path
 
 from core.errors import FormatError, LinkError, StorageError
+from core.records.atomic import make_folder
 from core.version import SOFTWARE
 from drivers.events import Ended
 from drivers.profile_types import PortSettings
@@ -53,10 +54,8 @@ class Listening:
         header = {"device": "unknown board", "port": url, "baud": baud, "software": SOFTWARE}
         stem = f"{datetime.now():%Y%m%d-%H%M%S-%f}_teach"
         try:
-            folder.mkdir(parents=True, exist_ok=True)
+            make_folder(folder)
             return RawLog(folder / f"{stem}{_SUFFIX}", header)
-        except OSError as error:
-            self.raw_doubt = StorageError(f"{folder}: cannot be made ({error.strerror})")
         except StorageError as error:
             self.raw_doubt = error
         return None

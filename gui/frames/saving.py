@@ -3,8 +3,7 @@
 from collections.abc import Collection
 from pathlib import Path
 
-from core.errors import StorageError
-from core.records.atomic import write_text_atomic
+from core.records.atomic import make_folder, write_text_atomic
 from core.records.names import safe_name
 from gui.frames.taught import Taught
 
@@ -33,9 +32,6 @@ def save(root: Path, taught: Taught, baud: int) -> Path:
         It cannot be written.
     """
     path = file_of(root, taught.name)
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        write_text_atomic(path, taught.text(baud))
-    except OSError as error:
-        raise StorageError(f"{path}: cannot be written ({error.strerror})") from error
+    make_folder(path.parent)
+    write_text_atomic(path, taught.text(baud))
     return path

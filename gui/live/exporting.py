@@ -6,6 +6,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, QSize, Signal
 
 from core.errors import LabError, Severity
+from core.records.atomic import make_folder
 from core.records.means import NAME, TABLE, RecordMean, write_means
 from gui.jobs import Jobs, Work
 from gui.live.sample_files import FORMATS
@@ -53,7 +54,7 @@ class Exporting(QObject):
         write = FORMATS[key][2]
 
         def work() -> Path:
-            path.parent.mkdir(parents=True, exist_ok=True)
+            make_folder(path.parent)
             write(excerpt, path)
             return path
 
@@ -64,7 +65,7 @@ class Exporting(QObject):
 
         def work() -> tuple[list[RecordMean], Path]:
             found = make()
-            folder.mkdir(parents=True, exist_ok=True)
+            make_folder(folder)
             write_means(found, folder)
             return found, folder
 

@@ -8,6 +8,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from core.errors import FormatError, LabError, Severity, StorageError
+from core.records.atomic import make_folder
 from core.records.cvgcom import CvgcomHead
 from core.records.cvgcom_name import SUFFIX as TEXT_SUFFIX
 from core.records.cvgcom_name import folder_of, next_name
@@ -97,10 +98,7 @@ class Keeper(QObject):
         self._growth = growth(link, channels, settings)
         enough(room(folder, self._growth))
         self._looked = -math.inf
-        try:
-            folder.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            raise StorageError(f"{folder}: cannot be made: {error.strerror}") from error
+        make_folder(folder)
         path = folder / f"{safe_name(stem)}{SUFFIX}"
         rate = link.rate_hz
         text = self._text(path.with_name(path.stem + TEXT_SUFFIX), channels, rate, settings)

@@ -8,10 +8,11 @@ from PySide6.QtCore import QCoreApplication
 
 from core.errors import FitError
 from core.procedures.calibration import Provenance
+from core.records.atomic import make_folder
 from core.records.names import safe_name
 from core.records.thermal_exports import THERMAL_EXPORTS
 from core.version import SOFTWARE
-from gui.exporting import ExportFormat, make_folder_of, pictures
+from gui.exporting import ExportFormat, pictures
 from gui.thermal.working import Outcome, RecordOutcome
 
 PROCEDURE = "outputs of a standing unit over temperature"
@@ -33,7 +34,7 @@ def _file(key: str) -> ExportFormat:
         found = outcome.found if isinstance(outcome, RecordOutcome) else outcome.thermal
         if found is None:
             raise FitError("nothing was found over temperature; see the notes")
-        make_folder_of(path)
+        make_folder(path.parent)
         provenance = Provenance(
             procedure=PROCEDURE,
             device=outcome.run.device,

@@ -18,7 +18,7 @@ from PySide6.QtCore import QObject, QProcess, QStandardPaths
 from PySide6.QtGui import QGuiApplication
 
 from core.errors import StorageError
-from core.records.atomic import write_bytes_atomic
+from core.records.atomic import make_folder, write_bytes_atomic
 
 RATE = 22_050
 _FADE_S = 0.006
@@ -126,10 +126,7 @@ def sound_file(folder: Path, cue: Cue, volume: float) -> Path:
     mark = hashlib.sha256(made_of).hexdigest()[:8]
     path = folder / f"{cue.name.lower()}-{round(100 * volume)}-{mark}.wav"
     if not path.exists():
-        try:
-            folder.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            raise StorageError(f"{folder}: {error.strerror or error}") from error
+        make_folder(folder)
         write_bytes_atomic(path, wave_bytes(cue, volume))
     return path
 

@@ -7202,11 +7202,6 @@ Measure the plan fourier_400 (5° to 400° by 5°) or fourier_flip in the tab Di
             <translation>Space</translation>
         </message>
         <message>
-            <location filename="../../gui/advisor/presenter.py" />
-            <source>cannot be made: {strerror}</source>
-            <translation>неможливо створити: {strerror}</translation>
-        </message>
-        <message>
             <location filename="../../gui/advisor/side_view.py" />
             <source>dividing head</source>
             <translation>ділильна головка</translation>
@@ -7764,11 +7759,6 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
             <location filename="../../gui/archive/library.py" />
             <source>the window was closed; what was taken in stays</source>
             <translation>вікно закрито; те, що взято, лишається</translation>
-        </message>
-        <message>
-            <location filename="../../gui/archive/library.py" />
-            <source>{root}: cannot be made ({strerror})</source>
-            <translation>{root}: неможливо створити ({strerror})</translation>
         </message>
         <message>
             <location filename="../../gui/archive/questions.py" />
@@ -8346,11 +8336,6 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
             <translation>Дрейф після увімкнення</translation>
         </message>
         <message>
-            <location filename="../../gui/exporting.py" />
-            <source>{parent}: cannot be made ({strerror})</source>
-            <translation>{parent}: неможливо створити ({strerror})</translation>
-        </message>
-        <message>
             <location filename="../../gui/frames/definition_view.py" />
             <source>Saved: {saved}</source>
             <translation>Збережено: {saved}</translation>
@@ -8454,11 +8439,6 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
             <location filename="../../gui/frames/saving.py" />
             <source>There is a device file "{stem}" of the program: choose another name</source>
             <translation>Є файл пристрою «{stem}» із програми: виберіть іншу назву</translation>
-        </message>
-        <message>
-            <location filename="../../gui/frames/saving.py" />
-            <source>{path}: cannot be written ({strerror})</source>
-            <translation>{path}: неможливо записати ({strerror})</translation>
         </message>
         <message>
             <location filename="../../gui/frames/source.py" />
@@ -8839,11 +8819,6 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
             <location filename="../../gui/live/keeper.py" />
             <source>cannot take the record: {strerror}</source>
             <translation>неможливо прийняти запис: {strerror}</translation>
-        </message>
-        <message>
-            <location filename="../../gui/live/keeper.py" />
-            <source>{folder}: cannot be made: {strerror}</source>
-            <translation>{folder}: неможливо створити: {strerror}</translation>
         </message>
         <message>
             <location filename="../../gui/live/loading.py" />
@@ -10623,6 +10598,11 @@ Without a command the window opens.</translation>
             <location filename="../../core/certificates/register.py" />
             <source>{path}: the certificate was withdrawn before</source>
             <translation>{path}: сертифікат уже відкликано</translation>
+        </message>
+        <message>
+            <location filename="../../core/certificates/register.py" />
+            <source>{path}: cannot be written ({strerror})</source>
+            <translation>{path}: неможливо записати ({strerror})</translation>
         </message>
         <message>
             <location filename="../../core/certificates/register.py" />

@@ -4,7 +4,8 @@ from pathlib import Path
 
 from pytestqt.qtbot import QtBot
 
-from gui.exporting import ExportFormat, Exporting, make_folder_of, pictures
+from core.records.atomic import make_folder
+from gui.exporting import ExportFormat, Exporting, pictures
 from gui.jobs import Jobs
 from gui.messages import Messages
 from gui.widgets.findings_view import FindingsView
@@ -17,7 +18,7 @@ def test_a_panel_is_offered_names_and_has_files_written(qtbot: QtBot, tmp_path: 
     page: list[str] = []
 
     def write(words: str, path: Path) -> None:
-        make_folder_of(path)
+        make_folder(path.parent)
         path.write_text(words, encoding="utf-8")
 
     exporting = Exporting(

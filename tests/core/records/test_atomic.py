@@ -8,7 +8,13 @@ from pathlib import Path
 import pytest
 
 from core.errors import StorageError
-from core.records.atomic import append_durable, atomic_file, write_bytes_atomic, write_text_atomic
+from core.records.atomic import (
+    append_durable,
+    atomic_file,
+    make_folder,
+    write_bytes_atomic,
+    write_text_atomic,
+)
 
 
 def test_a_file_is_replaced_whole(tmp_path):
@@ -36,6 +42,15 @@ def test_a_file_in_pieces_is_there_whole_or_not_at_all(tmp_path):
         broken_off()
     assert path.read_bytes() == b"onetwo"
     assert list(tmp_path.iterdir()) == [path]
+
+
+def test_a_folder_is_made_with_those_above_it(tmp_path):
+    for _ in range(2):
+        make_folder(tmp_path / "a" / "b")
+    assert (tmp_path / "a" / "b").is_dir()
+    (tmp_path / "file").touch()
+    with pytest.raises(StorageError, match="cannot be made"):
+        make_folder(tmp_path / "file" / "b")
 
 
 def test_a_failed_write_leaves_the_old_file(tmp_path):

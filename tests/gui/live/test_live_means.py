@@ -136,6 +136,18 @@ def test_files_are_written_one_after_another(qtbot: QtBot, tmp_path: Path) -> No
     jobs.close()
 
 
+def test_a_folder_that_cannot_be_made_is_told(qtbot: QtBot, tmp_path: Path) -> None:
+    jobs, messages = Jobs(), Messages()
+    exporting = Exporting(jobs, messages)
+    (tmp_path / "file").touch()
+    exporting.means(lambda: [averaged(0.1, 1)], tmp_path / "file" / "x")
+    qtbot.waitUntil(lambda: messages.current is not None)
+    assert messages.current is not None
+    assert messages.current.what == "Not exported"
+    assert "cannot be made" in messages.current.meaning
+    jobs.close()
+
+
 def refuse() -> list[RecordMean]:
     """A mean that cannot be made."""
     raise FormatError("x", "no such record")
