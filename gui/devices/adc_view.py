@@ -15,7 +15,6 @@ from PySide6.QtWidgets import (
 
 from gui.devices.adc import AdcPresenter, AdcState
 from gui.languages.shown import shown
-from gui.widgets.number_text import aligned
 from gui.widgets.states import TableState
 from gui.widgets.table_model import Index, TableModel
 from gui.widgets.table_text import table_text
@@ -145,7 +144,6 @@ class _Model(TableModel):
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self.table = _EMPTY
-        self._shown: list[list[str]] = []
 
     def replace(self, table: TableState) -> bool:
         """Take new numbers; tell whether rows or columns are others."""
@@ -154,11 +152,6 @@ class _Model(TableModel):
         if other:
             self.beginResetModel()
         self.table, self.rows, self.header = table, table.rows, table.header
-        columns = [list(column) for column in zip(*table.rows, strict=True)]
-        self._shown = [
-            column if number < table.words else aligned(column)
-            for number, column in enumerate(columns)
-        ]
         if other:
             self.endResetModel()
         elif table.rows:
@@ -172,7 +165,7 @@ class _Model(TableModel):
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
         if role == Qt.ItemDataRole.DisplayRole:
-            return shown(self._shown[index.column()][index.row()])
+            return shown(self.rows[index.row()][index.column()])
         if role == Qt.ItemDataRole.TextAlignmentRole:
             return self.alignment(index.column())
         return None

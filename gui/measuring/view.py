@@ -27,6 +27,7 @@ from gui.widgets.action_bar import ActionBar
 from gui.widgets.fields import ChoiceField
 from gui.widgets.side_scroll import SideScroll
 from gui.widgets.stage import Stage
+from gui.widgets.states import Tone
 from gui.widgets.step_list import StepList
 
 _LIVE_MS = 250
@@ -84,6 +85,7 @@ class MeasuringView(QWidget):
         self._build()
         self._connect()
         self._state = presenter.state
+        self._done = False
         self._retranslate()
         self._live_timer = QTimer(self)
         self._live_timer.timeout.connect(self._on_live)
@@ -193,6 +195,11 @@ class MeasuringView(QWidget):
         if state.has_results != self.results.isVisibleTo(self):
             self.results.setVisible(state.has_results)
             self._place_results()
+        done = state.stage.pose is None and state.stage.tone is Tone.GOOD
+        if done != self._done:
+            self._done = done
+            # The stage tells how little it needs once it is laid out without its picture.
+            QTimer.singleShot(0, self, self._share_height)
 
     def _arrange(self, beside: bool) -> None:
         """The nine rows of an assembly stand beside the graph, the three of a triad above it."""
@@ -217,10 +224,17 @@ class MeasuringView(QWidget):
             self.results.setVisible(shown)
             wanted.setStretchFactor(2, 2)
             unit = self.fontMetrics().height()
-            self._middle.setSizes([17 * unit, 22 * unit, 44 * unit])
+            self._share_height()
             self.results.setMinimumWidth(34 * unit if wide else 0)
             self._across.setSizes([21 * unit, 36 * unit, 60 * unit])
         self._lower.setVisible(wide or not shown)
+
+    def _share_height(self) -> None:
+        """Where nothing is left to turn, the stage leaves its height to what stands below it."""
+        unit = self.fontMetrics().height()
+        below = [22 * unit, 44 * unit]
+        # Less than the stage needs: it keeps that.
+        self._middle.setSizes([unit, *below] if self._done else [17 * unit, *below])
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

@@ -55,12 +55,17 @@ class FindingsView(QWidget):
         scroll.setFrameShape(QFrame.Shape.NoFrame)
         scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._formats, self._name, self._export = ChoiceField(), QLineEdit(), QPushButton()
+        # Titles of formats are long: the field shortens them, and the name keeps its room.
+        self._formats.setMinimumContentsLength(12)
+        self._formats.setSizeAdjustPolicy(
+            ChoiceField.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+        )
         self._formats.activated.connect(self._on_format)
         self._name.returnPressed.connect(self.export)
         self._export.clicked.connect(self.export)
         foot = QHBoxLayout()
-        foot.addWidget(self._formats)
-        foot.addWidget(self._name, 1)
+        foot.addWidget(self._formats, 2)
+        foot.addWidget(self._name, 3)
         foot.addWidget(self._export)
         column = QVBoxLayout(self)
         column.setContentsMargins(unit // 2, unit // 2, unit // 2, unit // 2)
@@ -120,6 +125,7 @@ class FindingsView(QWidget):
     def show_name(self, name: str) -> None:
         """Propose a file name."""
         self._name.setText(name)
+        self._name.setToolTip(name)
 
     def export(self) -> None:
         """Write the chosen format under the name in the field."""

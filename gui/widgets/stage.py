@@ -29,8 +29,8 @@ _DETAIL = (1.7, 1.5, 1.3, 1.15, 1.0)
 """Sizes of the detail, of the window's letters; narrow stages begin with the third."""
 _WIDE_PX = 660
 _BAR_PX = 8
-_LEAST_LINES = 13
-"""Least height of the stage in the window's lines, whatever it says."""
+_LEAST_LINES, _LEAST_WITHOUT = 13, 8
+"""Least height of the stage in the window's lines, with a picture or a ring and without."""
 
 
 class Stage(QWidget):
@@ -136,7 +136,9 @@ class Stage(QWidget):
                 break
         if font != self._detail.font():
             self._detail.setFont(font)
-        self.setMinimumHeight(max(_LEAST_LINES * unit, above + self._height_of_words(self.font())))
+        plain = self._state.pose is None and self._state.progress is None
+        least = (_LEAST_WITHOUT if plain else _LEAST_LINES) * unit
+        self.setMinimumHeight(max(least, above + self._height_of_words(self.font())))
 
     def _height_of_words(self, font: QFont) -> int:
         """How high the detail stands in a font."""

@@ -57,6 +57,9 @@ def test_the_numbers_of_a_unit_that_stands_still(
     assert table.header[:5] == ("Channel", "Unit", "Now", "Mean, 1 s", "STD, 1 s")
     rows = {row[0]: row for row in table.rows}
     assert "counter" not in rows
+    # Numbers stand flush under their headings, whatever the decimals of other units are.
+    shown = [panel.table.model().index(row, 2).data() for row in range(len(table.rows))]
+    assert all(text == text.strip("\N{FIGURE SPACE} ") for text in shown)
     # Level: Z feels g; Table 2.2 gives 1334.9765 * 9.8106 - 229.76 code.
     assert float(rows["acc_z"][5]) == pytest.approx(12867.0, abs=10.0)
     assert 5.0 < float(rows["acc_z"][6]) < 25.0

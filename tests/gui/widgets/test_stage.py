@@ -110,3 +110,11 @@ def test_no_line_of_the_detail_is_cut(qtbot, size):
     detail = stage._detail
     assert detail.height() >= detail.heightForWidth(detail.width())
     assert stage.rect().contains(detail.geometry())
+
+
+def test_without_a_picture_the_stage_needs_less_height(stage):
+    stage.render(StageState("Turn to 90°", "detail", Tone.ACTION, pose=Pose("X_from", 90)))
+    turning = stage.minimumHeight()
+    stage.render(StageState("All positions done", "8 positions are on the disk.", Tone.GOOD))
+    assert stage.minimumHeight() < 0.8 * turning
+    assert stage.minimumHeight() > LEAST_PX + 2 * stage.fontMetrics().height()
