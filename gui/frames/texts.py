@@ -1,6 +1,6 @@
 """Words of the tab Teach a board."""
 
-from drivers.profile_types import TYPES, FieldSpec, FrameSpec, LineSpec
+from drivers.profile_types import FieldSpec, FrameSpec, LineSpec
 from drivers.teach.analysis import Proposal
 from drivers.teach.checks import CheckFit
 from drivers.teach.ear import Heard
@@ -109,9 +109,3 @@ TYPE_WORDS = {
     "f64": "float64",
 }  # fmt: skip
 """Types as programmers of boards call them."""
-
-
-def type_words(field: FieldSpec) -> str:
-    """Type and byte order of a field."""
-    order = "" if TYPES[field.type] == 1 else " LE" if field.endian == "little" else " BE"
-    return TYPE_WORDS[field.type] + order
