@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QCoreApplication, QEvent, Qt
+from PySide6.QtCore import QCoreApplication, QEvent
 from PySide6.QtGui import QKeySequence, QShortcut, QShowEvent
 from PySide6.QtWidgets import (
     QComboBox,
@@ -10,7 +10,6 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLineEdit,
     QSizePolicy,
-    QSplitter,
     QStackedWidget,
     QVBoxLayout,
     QWidget,
@@ -23,6 +22,8 @@ from gui.archive.state import ArchiveState
 from gui.languages.shown import shown
 from gui.widgets.action_bar import ActionBar
 from gui.widgets.findings_view import FindingsView
+from gui.widgets.hint_label import HintLabel
+from gui.widgets.panes import lay_panes
 from gui.widgets.word_label import WordLabel
 
 if TYPE_CHECKING:
@@ -38,7 +39,7 @@ class ArchiveView(QWidget):
         self._state: ArchiveState | None = None
         self._header: tuple[str, ...] = ()
         self.search, self.kind = QLineEdit(), QComboBox()
-        self.status, self.hint = WordLabel(), WordLabel()
+        self.status, self.hint = WordLabel(), HintLabel()
         self.table = EntryTable()
         self.parameter, self.temperature = QComboBox(), QComboBox()
         self.findings = FindingsView()
@@ -68,13 +69,6 @@ class ArchiveView(QWidget):
         column.addLayout(top)
         column.addWidget(self.table, 1)
         column.addWidget(self.status)
-        self.hint.setWordWrap(True)
-        self.hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.hint.setTextFormat(Qt.TextFormat.PlainText)
-        font = self.hint.font()
-        font.setPointSizeF(font.pointSizeF() * 1.2)
-        self.hint.setFont(font)
-        self.hint.setContentsMargins(2 * unit, unit, 2 * unit, unit)
         self._page = QWidget()
         self._plot_column = QVBoxLayout(self._page)
         self._plot_column.setContentsMargins(unit // 2, unit // 2, 0, 0)
@@ -87,19 +81,8 @@ class ArchiveView(QWidget):
         self._plot_column.addLayout(followed)
         self._middle.addWidget(self.hint)
         self._middle.addWidget(self._page)
-        across = QSplitter(Qt.Orientation.Horizontal)
-        for part in (left, self._middle, self.findings):
-            across.addWidget(part)
-        across.setChildrenCollapsible(False)
-        across.setStretchFactor(0, 2)
-        across.setStretchFactor(1, 2)
-        across.setStretchFactor(2, 1)
-        across.setSizes([29 * unit, 22 * unit, 30 * unit])
-        rows = QVBoxLayout(self)
-        rows.setContentsMargins(0, 0, 0, 0)
-        rows.setSpacing(0)
-        rows.addWidget(across, 1)
-        rows.addWidget(self.action_bar)
+        panes = ((left, 2, 29), (self._middle, 2, 22), (self.findings, 1, 30))
+        lay_panes(self, panes, self.action_bar)
 
     def _connect(self) -> None:
         presenter = self._presenter

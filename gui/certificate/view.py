@@ -9,7 +9,6 @@ from PySide6.QtWidgets import (
     QFrame,
     QLabel,
     QScrollArea,
-    QSplitter,
     QStackedWidget,
     QTabWidget,
     QVBoxLayout,
@@ -27,6 +26,8 @@ from gui.certificate.state import CertificateState
 from gui.languages.shown import shown
 from gui.widgets.action_bar import ActionBar
 from gui.widgets.note_line import NoteLine
+from gui.widgets.page_scroll import PageScroll
+from gui.widgets.panes import lay_panes
 from gui.widgets.word_label import WordLabel
 
 
@@ -59,7 +60,7 @@ class CertificateView(QWidget):
         font.setPointSizeF(font.pointSizeF() * 1.3)
         self.title.setFont(font)
         for page in (self.order, self.limits, self.laboratory, self.register):
-            self.pages.addTab(page if page is self.register else _scrolling(page), "")
+            self.pages.addTab(page if page is self.register else PageScroll(page), "")
         self.pages.setDocumentMode(True)
         needs = QWidget()
         self._needs.setContentsMargins(0, 0, 0, 0)
@@ -81,18 +82,7 @@ class CertificateView(QWidget):
         self.hint.setContentsMargins(3 * unit, unit, 3 * unit, unit)
         self._middle.addWidget(self.hint)
         self._middle.addWidget(self.preview)
-        across = QSplitter(Qt.Orientation.Horizontal)
-        across.addWidget(left)
-        across.addWidget(self._middle)
-        across.setChildrenCollapsible(False)
-        across.setStretchFactor(0, 2)
-        across.setStretchFactor(1, 3)
-        across.setSizes([36 * unit, 48 * unit])
-        rows = QVBoxLayout(self)
-        rows.setContentsMargins(0, 0, 0, 0)
-        rows.setSpacing(0)
-        rows.addWidget(across, 1)
-        rows.addWidget(self.action_bar)
+        lay_panes(self, ((left, 2, 36), (self._middle, 3, 48)), self.action_bar)
 
     def _connect(self) -> None:
         presenter = self._presenter
@@ -190,12 +180,3 @@ class CertificateView(QWidget):
         for place, name in enumerate(names):
             self.pages.setTabText(place, name)
         self.pages.setAccessibleName(self.tr("Parts of the form"))
-
-
-def _scrolling(page: QWidget) -> QScrollArea:
-    scroll = QScrollArea()
-    scroll.setWidget(page)
-    scroll.setWidgetResizable(True)
-    scroll.setFrameShape(QFrame.Shape.NoFrame)
-    scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-    return scroll

@@ -22,7 +22,9 @@ from gui.discrepancy.presenter import DiscrepancyPresenter
 from gui.discrepancy.state import RegressorRow, StoryState
 from gui.languages.shown import shown
 from gui.widgets.action_bar import ActionBar
+from gui.widgets.hint_label import HintLabel
 from gui.widgets.icons import paint_tone
+from gui.widgets.panes import lay_panes
 from gui.widgets.states import Tone
 from gui.widgets.theme import current_theme
 from gui.widgets.word_label import WordLabel
@@ -51,7 +53,7 @@ class DiscrepancyView(QWidget):
         self.plots: PlotsView | None = None
         self.ladder, self.findings = LadderView(), FindingsView()
         self.regressors, self._against = QListWidget(), QLabel()
-        self.hint, self.busy, self.progress = WordLabel(), WordLabel(), QProgressBar()
+        self.hint, self.busy, self.progress = HintLabel(), WordLabel(), QProgressBar()
         self.action_bar = ActionBar()
         self._middle = QStackedWidget()
         self._build()
@@ -78,13 +80,6 @@ class DiscrepancyView(QWidget):
         left.addWidget(lower)
         left.setChildrenCollapsible(False)
         left.setSizes([30 * unit, 15 * unit])
-        self.hint.setWordWrap(True)
-        self.hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.hint.setTextFormat(Qt.TextFormat.PlainText)
-        font = self.hint.font()
-        font.setPointSizeF(font.pointSizeF() * 1.2)
-        self.hint.setFont(font)
-        self.hint.setContentsMargins(3 * unit, unit, 3 * unit, unit)
         self._content = QWidget()
         self._content_column = QVBoxLayout(self._content)
         self._content_column.setContentsMargins(0, 0, 0, 0)
@@ -101,19 +96,9 @@ class DiscrepancyView(QWidget):
         column.addWidget(self._middle, 1)
         column.addWidget(self.busy)
         column.addWidget(self.progress)
-        across = QSplitter(Qt.Orientation.Horizontal)
-        for part in (left, centre, self.findings):
-            across.addWidget(part)
-        across.setChildrenCollapsible(False)
-        for place, stretch in enumerate((0, 3, 1)):
-            across.setStretchFactor(place, stretch)
-        across.setSizes([19 * unit, 36 * unit, 28 * unit])
         self._sides = (left, self.findings)
-        rows = QVBoxLayout(self)
-        rows.setContentsMargins(0, 0, 0, 0)
-        rows.setSpacing(0)
-        rows.addWidget(across, 1)
-        rows.addWidget(self.action_bar)
+        panes = ((left, 0, 19), (centre, 3, 36), (self.findings, 1, 28))
+        lay_panes(self, panes, self.action_bar)
 
     def _connect(self) -> None:
         presenter = self._presenter

@@ -3,13 +3,11 @@
 from collections.abc import Callable
 from typing import Any
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import QEvent, Signal
 from PySide6.QtWidgets import (
-    QFrame,
     QHBoxLayout,
     QLineEdit,
     QPushButton,
-    QScrollArea,
     QSizePolicy,
     QToolButton,
     QVBoxLayout,
@@ -22,6 +20,7 @@ from gui.measuring.page import CurveState, ResultsPage
 from gui.widgets.fields import ChoiceField
 from gui.widgets.matrix_view import MatrixView
 from gui.widgets.note_line import NoteLine
+from gui.widgets.page_scroll import PageScroll
 from gui.widgets.residual_plot import ResidualPlot
 from gui.widgets.result_table import ResultTable
 from gui.widgets.states import MatrixState, ResidualState, TableState
@@ -81,11 +80,6 @@ class ResultsView(QWidget):
         self._column = QVBoxLayout(self._page)
         self._column.setContentsMargins(0, 0, unit // 2, unit)
         self._column.setSpacing(unit // 2)
-        scroll = QScrollArea()
-        scroll.setWidget(self._page)
-        scroll.setWidgetResizable(True)
-        scroll.setFrameShape(QFrame.Shape.NoFrame)
-        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._formats, self._name, self._export = ChoiceField(), QLineEdit(), QPushButton()
         self._formats.activated.connect(self._on_format)
         self._name.returnPressed.connect(self.export)
@@ -99,7 +93,7 @@ class ResultsView(QWidget):
         column.setSpacing(unit // 2)
         column.addLayout(head)
         column.addWidget(self._bent)
-        column.addWidget(scroll, 1)
+        column.addWidget(PageScroll(self._page), 1)
         column.addLayout(foot)
         self._retranslate()
 

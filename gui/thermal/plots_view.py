@@ -3,10 +3,8 @@
 from PySide6.QtCore import QEvent, QPoint, QRect, QSize, Qt, Signal
 from PySide6.QtGui import QPainter
 from PySide6.QtWidgets import (
-    QFrame,
     QHBoxLayout,
     QLabel,
-    QScrollArea,
     QSizePolicy,
     QVBoxLayout,
     QWidget,
@@ -16,6 +14,7 @@ from gui.languages.shown import shown
 from gui.thermal.state import PlotState, ThermalState
 from gui.widgets.fields import ChoiceField
 from gui.widgets.legend import POINT, Legend, LegendEntry
+from gui.widgets.page_scroll import PageScroll
 from gui.widgets.plot import Plot
 from gui.widgets.theme import current_theme
 from gui.widgets.word_label import WordLabel
@@ -43,16 +42,11 @@ class PlotsView(QWidget):
         self._column = QVBoxLayout(rows)
         self._column.setContentsMargins(0, 0, 0, 0)
         self._column.setSpacing(unit // 4)
-        scroll = QScrollArea()
-        scroll.setWidget(rows)
-        scroll.setWidgetResizable(True)
-        scroll.setFrameShape(QFrame.Shape.NoFrame)
-        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         column = QVBoxLayout(self)
         column.setContentsMargins(unit // 2, unit // 2, 0, 0)
         column.setSpacing(unit // 4)
         column.addLayout(head)
-        column.addWidget(scroll, 1)
+        column.addWidget(PageScroll(rows), 1)
         self.choice.activated.connect(self.shown)
         self._retranslate()
 

@@ -2,11 +2,9 @@
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtWidgets import (
-    QFrame,
     QHBoxLayout,
     QLineEdit,
     QPushButton,
-    QScrollArea,
     QVBoxLayout,
     QWidget,
 )
@@ -14,6 +12,7 @@ from PySide6.QtWidgets import (
 from gui.languages.shown import shown
 from gui.widgets.fields import ChoiceField
 from gui.widgets.note_line import NoteLine
+from gui.widgets.page_scroll import PageScroll
 from gui.widgets.result_table import ResultTable
 from gui.widgets.states import FindingsState
 from gui.widgets.word_label import WordLabel
@@ -49,11 +48,6 @@ class FindingsView(QWidget):
         self._doubts = QVBoxLayout()
         self._column.addLayout(self._doubts)
         self._column.addStretch(1)
-        scroll = QScrollArea()
-        scroll.setWidget(self._page)
-        scroll.setWidgetResizable(True)
-        scroll.setFrameShape(QFrame.Shape.NoFrame)
-        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._formats, self._name, self._export = ChoiceField(), QLineEdit(), QPushButton()
         # Titles of formats are long: the field shortens them, and the name keeps its room.
         self._formats.setMinimumContentsLength(12)
@@ -72,7 +66,7 @@ class FindingsView(QWidget):
         column.setSpacing(unit // 2)
         for label in (self._title, self._source):
             column.addWidget(label)
-        column.addWidget(scroll, 1)
+        column.addWidget(PageScroll(self._page), 1)
         column.addLayout(foot)
         self._retranslate()
 

@@ -1,10 +1,12 @@
 """A column of settings that scrolls up and down and is never cut at its sides."""
 
-from PySide6.QtCore import QEvent, QObject, QSize, Qt
-from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
+from PySide6.QtCore import QEvent, QObject, QSize
+from PySide6.QtWidgets import QWidget
+
+from gui.widgets.page_scroll import PageScroll
 
 
-class SideScroll(QScrollArea):
+class SideScroll(PageScroll):
     """Asks for the width that its content needs, which changes with rows and languages.
 
     Parameters
@@ -14,12 +16,8 @@ class SideScroll(QScrollArea):
     """
 
     def __init__(self, content: QWidget, least: int = 0, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+        super().__init__(content, parent)
         self._least = least
-        self.setWidget(content)
-        self.setWidgetResizable(True)
-        self.setFrameShape(QFrame.Shape.NoFrame)
-        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
 
     def minimumSizeHint(self) -> QSize:
         content = self.widget()
