@@ -39,6 +39,8 @@ class Method(Generic[E, S, R]):
     Parameters
     ----------
     name : of the job
+    fresh : makes an entry of its key and its path
+    sources : returns the files that are meant; of a folder those in it
     reading : returns what of the settings the reading depends on
     read : returns an entry with what its file holds; one that was read already as it is
     unread : returns an entry without what its file held
@@ -46,6 +48,8 @@ class Method(Generic[E, S, R]):
     """
 
     name: str
+    fresh: Callable[[int, Path | None], E]
+    sources: Callable[[Sequence[Path]], Sequence[Path]]
     reading: Callable[[S], object]
     read: Callable[[E, S], E]
     unread: Callable[[E], E]
@@ -101,12 +105,19 @@ class Library(Generic[E, S, R], QObject):
         """Return a row; None if it was removed."""
         return self._entries.get(key)
 
-    def put(self, fresh: Sequence[E]) -> int:
-        """Add rows, which get their keys here; return the key of the last, 0 for none."""
+    def add(self, paths: Sequence[Path]) -> int:
+        """Read files, or all of a folder; return the key of the last one, 0 for none."""
+        return self._put(self._method.sources(paths))
+
+    def simulate(self) -> int:
+        """Put what is made up into the list; return its key."""
+        return self._put([None])
+
+    def _put(self, paths: Sequence[Path | None]) -> int:
         key = 0
-        for entry in fresh:
+        for path in paths:
             key = self._next
-            self._entries[key] = replace(entry, key=key)
+            self._entries[key] = self._method.fresh(key, path)
             self._next += 1
         if key:
             self._go_on()

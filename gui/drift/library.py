@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
 
 import numpy as np
 from PySide6.QtCore import QObject
@@ -46,16 +45,8 @@ class Library(library.Library[Entry, Settings, DriftResult]):
     """
 
     def __init__(self, jobs: Jobs, parent: QObject | None = None) -> None:
-        method = library.Method("drift", _how, _read, _unread, _table)
+        method = library.Method("drift", Entry, files_of, _how, _read, _unread, _table)
         super().__init__(jobs, method, Settings(), parent)
-
-    def add(self, paths: Sequence[Path]) -> int:
-        """Read files, or all of a folder; return the key of the last one, 0 for none."""
-        return self.put([Entry(0, path) for path in files_of(paths)])
-
-    def simulate(self) -> int:
-        """Put the simulated gyro into the list; return its key."""
-        return self.put([Entry(0, None)])
 
     def state_ambient(self, key: int, ambient_c: float) -> None:
         """Say how warm the chamber was; NaN takes what the file or the chip tells."""

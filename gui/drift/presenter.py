@@ -1,12 +1,10 @@
 """The Drift tab: clicks in, `DriftState` out."""
 
 import math
-from collections.abc import Sequence
-from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QObject, Signal
 
-from gui.analysis.records import Refusals, beside
+from gui.analysis.presenter import RecordsPresenter
 from gui.drift.findings import of_error, of_result
 from gui.drift.knots import Knots
 from gui.drift.library import Entry, Library
@@ -14,13 +12,12 @@ from gui.drift.picture import knot_words, knots_of, picture_of
 from gui.drift.state import ALL, ChoiceState, DriftState, KnotsState, PictureState, Settings
 from gui.drift.texts import degrees
 from gui.messages import Messages
-from gui.widgets.records_page import ListRow, RecordsState
-from gui.widgets.states import ActionBarState, ActionItem, FindingsState
+from gui.widgets.states import ActionItem
 
 SOURCE = "drift"
 
 
-class DriftPresenter(QObject):
+class DriftPresenter(RecordsPresenter[Entry, Settings]):
     """Everything the view asks for.
 
     Parameters
@@ -29,40 +26,23 @@ class DriftPresenter(QObject):
     messages : where refused records are told
     """
 
-    changed = Signal(object)
-    """A new `DriftState`."""
+    _library: Library
     dragged = Signal(object)
     """A new `KnotsState`, while a knot is dragged; all else stays."""
 
     def __init__(self, library: Library, messages: Messages, parent: QObject | None = None) -> None:
-        super().__init__(parent)
-        self._library = library
-        self._current = 0
+        super().__init__(library, SOURCE, messages, {"reset": self.reset}, parent)
         self._shown = ALL
         self._snap = True
-        self._refusals = Refusals(SOURCE, messages)
         self._knots: Knots | None = None
         self._picture: PictureState | None = None
-        self._findings: FindingsState | None = None
-        self._actions = {
-            "simulate": self.simulate,
-            "reset": self.reset,
-            "remove": self.remove,
-        }
-        library.changed.connect(self._on_library)
 
     @property
     def state(self) -> DriftState:
         """The tab as it is now."""
         knots = self._knots
         return DriftState(
-            page=RecordsState(
-                tuple(self._row(entry) for entry in self._library.entries),
-                self._current,
-                self._hint(),
-                self._findings,
-                ActionBarState(self._items()),
-            ),
+            page=self._page(),
             choices=self._choices(),
             temperatures=self._temperatures(),
             shown=self._shown,
@@ -77,33 +57,6 @@ class DriftPresenter(QObject):
         return self._knots
 
     # --- what the operator does -------------------------------------------------------------------
-
-    def add(self, names: Sequence[str]) -> None:
-        """Read files, or a folder of them."""
-        key = self._library.add([Path(name) for name in names])
-        if key:
-            self.choose(key)
-
-    def simulate(self) -> None:
-        """Put the simulated gyro into the list."""
-        self.choose(self._library.simulate())
-
-    def choose(self, key: int) -> None:
-        """Make a record the chosen one."""
-        if key != self._current:
-            self._current = key
-            self._tell()
-
-    def remove(self) -> None:
-        """Take the chosen record out of the list; its file stays."""
-        keys = [entry.key for entry in self._library.entries]
-        if self._current in keys:
-            gone, self._current = self._current, beside(keys, self._current)
-            self._library.remove(gone)
-
-    def decide(self, settings: Settings) -> None:
-        """Make the table with other settings."""
-        self._library.decide(settings)
 
     def state_ambient(self, ambient_c: float) -> None:
         """Say how warm the chamber was during the chosen record."""
@@ -120,10 +73,6 @@ class DriftPresenter(QObject):
         """Let dragged knots stop at the blocks, or not."""
         self._snap = on
         self._tell()
-
-    def act(self, key: str) -> None:
-        """A button of the row of actions."""
-        self._actions[key]()
 
     # --- knots ------------------------------------------------------------------------------------
 
@@ -170,12 +119,9 @@ class DriftPresenter(QObject):
             self._knots = Knots(result)
         if result is not None and self._shown >= len(result.curves.temperatures_c):
             self._shown = ALL
-        self._look()
-        self._tell_refused()
-        self._tell()
+        super()._on_library()
 
     def _look(self) -> None:
-        """Make what depends on the result and on the temperature that is shown."""
         if self._knots is None:
             error = self._library.error
             self._picture, self._findings = None, of_error(error) if error else None
@@ -184,19 +130,22 @@ class DriftPresenter(QObject):
         memory = self._library.settings.memory
         self._findings = of_result(self._knots.result, self._shown, memory)
 
-    def _tell_refused(self) -> None:
-        what = QCoreApplication.translate("Drift", "{name} is no turn-on")
-        remedy = QCoreApplication.translate(
-            "Drift", "Remove it from the list, or choose another output at the left."
+    def _refused(self) -> tuple[str, str]:
+        return (
+            QCoreApplication.translate("Drift", "{name} is no turn-on"),
+            QCoreApplication.translate(
+                "Drift", "Remove it from the list, or choose another output at the left."
+            ),
         )
-        self._refusals.tell(self._library.entries, what, remedy)
 
-    def _row(self, entry: Entry) -> ListRow:
-        if entry.error:
-            return ListRow(entry.key, _name(entry), "", entry.error)
+    def _title(self, entry: Entry) -> str:
+        if entry.path is None:
+            return QCoreApplication.translate("Drift", "Simulated gyro")
+        return entry.path.name
+
+    def _detail(self, entry: Entry) -> str:
         if not entry.turn_ons:
-            reading = QCoreApplication.translate("Drift", "is being read …")
-            return ListRow(entry.key, _name(entry), reading)
+            return QCoreApplication.translate("Drift", "is being read …")
         starts = [
             one.ambient_c if math.isfinite(one.ambient_c) else float(one.temperature_c[0])
             for one in entry.turn_ons
@@ -211,7 +160,7 @@ class DriftPresenter(QObject):
         seconds = QCoreApplication.translate("Drift", "{seconds} s").format(
             seconds=f"{entry.turn_ons[0].end_s:.4g}"
         )
-        return ListRow(entry.key, _name(entry), f"{count}, {warmth}, {seconds}")
+        return f"{count}, {warmth}, {seconds}"
 
     def _choices(self) -> ChoiceState:
         entry = self._library.get(self._current)
@@ -274,12 +223,3 @@ class DriftPresenter(QObject):
             " 5 minutes apart so that the unit cools down.\n\n"
             "Simulated turn-ons (F6) shows the tab on a made-up gyro.",
         )
-
-    def _tell(self) -> None:
-        self.changed.emit(self.state)
-
-
-def _name(entry: Entry) -> str:
-    if entry.path is None:
-        return QCoreApplication.translate("Drift", "Simulated gyro")
-    return entry.path.name

@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
 
 from PySide6.QtCore import QObject
 
@@ -36,16 +35,8 @@ class Library(library.Library[Entry, Settings, Outcome]):
     """
 
     def __init__(self, jobs: Jobs, parent: QObject | None = None) -> None:
-        method = library.Method("thermal", _reading, _read, _unread, _outcome)
+        method = library.Method("thermal", Entry, sources_of, _reading, _read, _unread, _outcome)
         super().__init__(jobs, method, Settings(), parent)
-
-    def add(self, paths: Sequence[Path]) -> int:
-        """Read files, sessions, or all of a folder; return the key of the last, 0 for none."""
-        return self.put([Entry(0, path) for path in sources_of(paths)])
-
-    def simulate(self) -> int:
-        """Put the simulated cycle into the list; return its key."""
-        return self.put([Entry(0, None)])
 
     def check(self, key: int, check: bool) -> None:
         """Let a row only check the compensation, or let it take part."""

@@ -1,12 +1,12 @@
 """The Thermal tab: clicks in, `ThermalState` out."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication, QObject, Signal
+from PySide6.QtCore import QCoreApplication, QObject
 
 from core.errors import LabError, Severity
-from gui.analysis.records import Refusals, beside
+from gui.analysis.presenter import RecordsPresenter
 from gui.jobs import Jobs
 from gui.messages import Messages
 from gui.thermal.findings import of_error, of_outcome
@@ -16,13 +16,12 @@ from gui.thermal.state import PlotState, Settings, ThermalState
 from gui.thermal.texts import degrees, quantity_words
 from gui.thermal.working import RecordOutcome, newest_cycle
 from gui.widgets.number_text import grouped
-from gui.widgets.records_page import ListRow, RecordsState
-from gui.widgets.states import ActionBarState, ActionItem, BannerState, FindingsState
+from gui.widgets.states import ActionItem, BannerState
 
 SOURCE = "thermal"
 
 
-class ThermalPresenter(QObject):
+class ThermalPresenter(RecordsPresenter[Entry, Settings]):
     """Everything the view asks for.
 
     Parameters
@@ -33,8 +32,7 @@ class ThermalPresenter(QObject):
     messages : where refused sources are told
     """
 
-    changed = Signal(object)
-    """A new `ThermalState`."""
+    _library: Library
 
     def __init__(
         self,
@@ -44,23 +42,13 @@ class ThermalPresenter(QObject):
         messages: Messages,
         parent: QObject | None = None,
     ) -> None:
-        super().__init__(parent)
-        self._library = library
+        actions = {"last": self.add_last, "check": self.switch_check}
+        super().__init__(library, SOURCE, messages, actions, parent)
         self._root = root
         self._jobs = jobs
         self._messages = messages
-        self._current = 0
         self._quantity = 0
-        self._refusals = Refusals(SOURCE, messages)
-        self._findings: FindingsState | None = None
         self._plots: tuple[PlotState, ...] = ()
-        self._actions = {
-            "last": self.add_last,
-            "simulate": self.simulate,
-            "check": self.switch_check,
-            "remove": self.remove,
-        }
-        library.changed.connect(self._on_library)
 
     @property
     def state(self) -> ThermalState:
@@ -69,13 +57,7 @@ class ThermalPresenter(QObject):
         record = isinstance(outcome, RecordOutcome)
         output = QCoreApplication.translate("Thermal", "Outputs")
         return ThermalState(
-            page=RecordsState(
-                tuple(self._row(entry) for entry in self._library.entries),
-                self._current,
-                self._hint(),
-                self._findings,
-                ActionBarState(self._items()),
-            ),
+            page=self._page(),
             settings=self._library.settings,
             quantities=(output,) if record else quantity_words(),
             quantity=0 if record else self._quantity,
@@ -84,12 +66,6 @@ class ThermalPresenter(QObject):
 
     # --- what the operator does -------------------------------------------------------------------
 
-    def add(self, names: Sequence[str]) -> None:
-        """Read files, sessions, or all of a folder."""
-        key = self._library.add([Path(name) for name in names])
-        if key:
-            self.choose(key)
-
     def add_last(self) -> None:
         """Take the newest session of the dividing head that went through temperatures."""
         root = self._root()
@@ -97,32 +73,11 @@ class ThermalPresenter(QObject):
             "last cycle", lambda: newest_cycle(root), self._on_newest, self._on_no_newest
         )
 
-    def simulate(self) -> None:
-        """Put the simulated cycle into the list."""
-        self.choose(self._library.simulate())
-
-    def choose(self, key: int) -> None:
-        """Make a source the chosen one."""
-        if key != self._current:
-            self._current = key
-            self._tell()
-
     def switch_check(self) -> None:
         """Let the chosen source only check the compensation, or let it take part again."""
         entry = self._library.get(self._current)
         if entry is not None:
             self._library.check(entry.key, not entry.check)
-
-    def remove(self) -> None:
-        """Take the chosen source out of the list; its file stays."""
-        keys = [entry.key for entry in self._library.entries]
-        if self._current in keys:
-            gone, self._current = self._current, beside(keys, self._current)
-            self._library.remove(gone)
-
-    def decide(self, settings: Settings) -> None:
-        """Process with other settings."""
-        self._library.decide(settings)
 
     def show(self, quantity: int) -> None:
         """Plot another quantity."""
@@ -130,10 +85,6 @@ class ThermalPresenter(QObject):
             self._quantity = quantity
             self._look()
             self._tell()
-
-    def act(self, key: str) -> None:
-        """A button of the row of actions."""
-        self._actions[key]()
 
     # --- what is shown ----------------------------------------------------------------------------
 
@@ -155,13 +106,7 @@ class ThermalPresenter(QObject):
         what = QCoreApplication.translate("Thermal", "The last cycle was not found")
         self._messages.tell_error(SOURCE, what, error)
 
-    def _on_library(self) -> None:
-        self._look()
-        self._tell_refused()
-        self._tell()
-
     def _look(self) -> None:
-        """Make what depends on the outcome and on the quantity that is plotted."""
         outcome, error = self._library.result, self._library.error
         if outcome is None:
             self._findings, self._plots = of_error(error) if error else None, ()
@@ -169,20 +114,23 @@ class ThermalPresenter(QObject):
             self._findings = of_outcome(outcome)
             self._plots = plots_of(outcome, self._quantity)
 
-    def _tell_refused(self) -> None:
-        what = QCoreApplication.translate("Thermal", "{name} cannot be used")
-        remedy = QCoreApplication.translate(
-            "Thermal", "Remove it from the list; the others are used without it."
+    def _refused(self) -> tuple[str, str]:
+        return (
+            QCoreApplication.translate("Thermal", "{name} cannot be used"),
+            QCoreApplication.translate(
+                "Thermal", "Remove it from the list; the others are used without it."
+            ),
         )
-        self._refusals.tell(self._library.entries, what, remedy)
 
-    def _row(self, entry: Entry) -> ListRow:
+    def _title(self, entry: Entry) -> str:
+        if entry.path is None:
+            return QCoreApplication.translate("Thermal", "Simulated cycle")
+        return entry.path.name
+
+    def _detail(self, entry: Entry) -> str:
         run = entry.run
-        if entry.error:
-            return ListRow(entry.key, _name(entry), "", entry.error)
         if run is None:
-            reading = QCoreApplication.translate("Thermal", "is being read …")
-            return ListRow(entry.key, _name(entry), reading)
+            return QCoreApplication.translate("Thermal", "is being read …")
         rows = QCoreApplication.translate("Thermal", "{rows} rows").format(rows=grouped(len(run)))
         low, high = degrees(float(run.temperature_c.min())), degrees(float(run.temperature_c.max()))
         warmth = low if low == high else f"{low.removesuffix(' °C')} … {high}"
@@ -190,7 +138,7 @@ class ThermalPresenter(QObject):
         parts = [rows, warmth] if named else [run.device, rows, warmth]
         if entry.check:
             parts.append(QCoreApplication.translate("Thermal", "check only"))
-        return ListRow(entry.key, _name(entry), ", ".join(parts))
+        return ", ".join(parts)
 
     def _items(self) -> tuple[ActionItem, ...]:
         library = self._library
@@ -249,12 +197,3 @@ class ThermalPresenter(QObject):
             " or the record of a unit that stood in the chamber.\n\n"
             "Simulated cycle (F6) shows the tab on a made-up unit.",
         )
-
-    def _tell(self) -> None:
-        self.changed.emit(self.state)
-
-
-def _name(entry: Entry) -> str:
-    if entry.path is None:
-        return QCoreApplication.translate("Thermal", "Simulated cycle")
-    return entry.path.name
