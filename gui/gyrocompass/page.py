@@ -2,69 +2,37 @@
 
 from PySide6.QtCore import QCoreApplication, QSize
 
-from gui.analysis.export import export_under
-from gui.analysis.tab import AnalysisTab
+from gui.analysis.page import MethodPage
 from gui.gyrocompass.content_view import CompassContent
 from gui.gyrocompass.presenter import CompassPresenter
 from gui.gyrocompass.side_view import CompassSide
-from gui.gyrocompass.state import CompassState
-from gui.report_export import Report, report_formats
+from gui.report_export import Report
 from gui.services import Services
-from gui.widgets.analysis_page import AnalysisPage
 
 _PICTURE = QSize(760, 900)
 
 
-class CompassPage(AnalysisTab):
+class CompassPage(MethodPage):
     """Presenter, views and what joins them."""
 
+    presenter: CompassPresenter
+    side: CompassSide
+    content: CompassContent
+
     def __init__(self, services: Services) -> None:
-        super().__init__()
-        self.presenter = CompassPresenter(services.jobs, services.messages, self)
-        self.content = CompassContent()
-        self._side = CompassSide()
-        self._page = AnalysisPage(
-            self.content,
-            (
-                QCoreApplication.translate(
-                    "Gyrocompass", "Measurements (*.csv *.txt *.json *.jsonl)"
-                ),
-                QCoreApplication.translate("Gyrocompass", "All files (*)"),
-            ),
+        presenter = CompassPresenter(services.jobs, services.messages)
+        filters = (
+            QCoreApplication.translate("Gyrocompass", "Measurements (*.csv *.txt *.json *.jsonl)"),
+            QCoreApplication.translate("Gyrocompass", "All files (*)"),
         )
-        self._named = ""
-        self.exporting = export_under(
-            self._page.findings, report_formats(), self._report, services, self
-        )
-        self._side.decided.connect(self.presenter.decide)
-        self._side.noise.decided.connect(self.presenter.set_noise)
-        self._side.noise.record_chosen.connect(self.presenter.load_noise)
-        self._page.file_chosen.connect(self.presenter.load)
-        self.presenter.changed.connect(self._render)
-        self._render(self.presenter.state)
-
-    @property
-    def side(self) -> CompassSide:
-        """What is decided."""
-        return self._side
-
-    @property
-    def widget(self) -> AnalysisPage:
-        """All the rest."""
-        return self._page
+        super().__init__(services, presenter, CompassSide(), CompassContent(), filters)
+        self.side.noise.decided.connect(presenter.set_noise)
+        self.side.noise.record_chosen.connect(presenter.load_noise)
+        self.widget.file_chosen.connect(presenter.load)
 
     def close(self) -> None:
         """Let go of the plot."""
         self.content.close_plot()
-
-    def _render(self, state: CompassState) -> None:
-        self._side.render(state)
-        self.content.render(state)
-        self._page.render(state.frame)
-        found = state.frame.findings
-        if found is not None and found.title != self._named:
-            self._named = found.title
-            self.exporting.renew()
 
     def _report(self) -> Report | None:
         found, findings = self.presenter.found, self.presenter.state.frame.findings

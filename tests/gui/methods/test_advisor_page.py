@@ -29,7 +29,7 @@ def done(page: AdvisorPage, qtbot: QtBot) -> None:
 
 def take(page: AdvisorPage, plan_id: str, qtbot: QtBot) -> None:
     keys = [row.key[1] for row in page.presenter.state.proposals]
-    page.plans.proposals.setCurrentRow(keys.index(plan_id))
+    page.content.proposals.setCurrentRow(keys.index(plan_id))
     done(page, qtbot)
 
 
@@ -40,7 +40,7 @@ def u(page: AdvisorPage, name: str) -> float:
 
 
 def tick(page: AdvisorPage, number: int, on: bool, qtbot: QtBot) -> None:
-    steps = page.plans.steps
+    steps = page.content.steps
     rows = [steps.item(i) for i in range(steps.count())]
     item = next(row for row in rows if row.data(Qt.ItemDataRole.UserRole) == number)
     item.setCheckState(Qt.CheckState.Checked if on else Qt.CheckState.Unchecked)
@@ -54,7 +54,7 @@ def test_the_best_plan_for_the_rig_stands_first_with_its_prediction(page: Adviso
     table = state.frame.findings.tables[0]
     assert table.rows[0][0] == "U0, m/s²"
     assert len(table.header) == 3
-    assert page.plans.proposals.count() == len(state.proposals) > 4
+    assert page.content.proposals.count() == len(state.proposals) > 4
 
 
 def test_without_its_tool_a_plan_is_not_proposed(page: AdvisorPage, qtbot: QtBot):
@@ -92,9 +92,9 @@ def test_a_step_less_makes_the_prediction_worse_and_a_step_more_better(
     assert fewer > 1.05 * whole
     table = page.presenter.state.frame.findings.tables[0]
     assert table.header[2] == "whole plan"
-    page.plans.mount.setCurrentText("X_from")
-    page.plans.value.setValue(180.0)
-    page.plans.add.click()
+    page.content.mount.setCurrentText("X_from")
+    page.content.value.setValue(180.0)
+    page.content.add.click()
     done(page, qtbot)
     assert u(page, "bias") == pytest.approx(whole, rel=1e-6)
     page.presenter.act("restore")
