@@ -12,6 +12,8 @@ from core.records.series import Series
 from core.samples.block import Channel
 from core.samples.run import Run
 
+_SAME = 0.9
+"""Correlation of the steps of two channels from which one is a copy of the other."""
 _KINDS = {"rate.": "gyro", "acc.": "accelerometer"}
 
 
@@ -93,6 +95,9 @@ def sampled_run(series: Series, output: str = "", sensor: str = "") -> Run:
         for other in range(len(series.channels))
         if other != place
     }
+    y = np.asarray(series.columns[place], dtype=np.float64)
+    # What has the noise of the output sample by sample is the output once more, and no cause.
+    others = {name: values for name, values in others.items() if not _repeats(values, y)}
     warm = next((c.name for c in series.channels if c.name in others and _is_temperature(c)), "")
     n = series.n
     unknown = np.full(n, np.nan)
@@ -103,7 +108,7 @@ def sampled_run(series: Series, output: str = "", sensor: str = "") -> Run:
         channels=(channel.name,),
         axes=(_axis(channel),),
         unit=channel.unit,
-        y=np.asarray(series.columns[place], dtype=np.float64)[:, None],
+        y=y[:, None],
         y_se=unknown[:, None],
         run=np.ones(n, dtype=np.int64),
         order=np.arange(n, dtype=np.int64),
@@ -181,6 +186,15 @@ def turn_on_of(
         else np.full(len(values), np.nan)
     )
     return TurnOn(series.path, ambient_c, values, sampled.rate, chip), sampled.unit
+
+
+def _repeats(values: FloatArray, y: FloatArray) -> bool:
+    """Whether a channel goes with the output from each sample to the next."""
+    steps = np.diff(values), np.diff(y)
+    known = np.isfinite(steps[0]) & np.isfinite(steps[1])
+    one, other = (each[known] - each[known].mean() for each in steps) if known.any() else steps
+    size = float(np.linalg.norm(one) * np.linalg.norm(other))
+    return size > 0.0 and abs(float(one @ other)) > _SAME * size
 
 
 def _outputs(series: Series) -> list[int]:

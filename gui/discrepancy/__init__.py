@@ -9,6 +9,8 @@ record_steps      the steps of a record, added one after another
 follow_up         plans of what to measure next: opened, or kept
 handed            a story -> effects for the tabs that calibrate
 ladder_rows       a story -> rungs of the ladder, regressors
+overview          a story -> gap before and after, how sure each name is, what to do next
+certainty         how sure the name of a step is
 cards             a story -> proposals, next measurements, what the plan can show
 rerun             the found model on the simulated bench, beside the data
 scene             buttons, the judgement, the tab without a run
@@ -26,6 +28,7 @@ paper_view        ladder and plots as pictures on paper
 view              ladder left, plots middle, findings right, actions below
 ladder_view       rungs with their bars against the noise floor
 plots_view        measured and simulated; the residual with its band
+overview_view     verdict, gap, names and what to do next, above the findings
 findings_view     candidates, next measurements, what the plan can show
 candidate_view    one candidate with its picture and its evidence
 cause_view        a small picture of each kind of cause

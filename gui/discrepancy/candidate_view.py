@@ -126,11 +126,15 @@ class ProposalView(QFrame):
         title.setFont(font)
         title.setWordWrap(True)
         column.addWidget(title)
-        if len(card.tied) > 1:
+        if len(card.tied) > 1 or card.same:
             self.setFrameShape(QFrame.Shape.StyledPanel)
             column.setContentsMargins(unit // 2, unit // 2, unit // 2, unit // 2)
         for row in card.tied:
             column.addWidget(self._view(row))
+        if card.same:
+            same = WordLabel(card.same)
+            same.setWordWrap(True)
+            column.addWidget(same)
         if card.others:
             if card.tied:
                 label = QLabel(self.tr("Less likely"))

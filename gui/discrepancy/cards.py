@@ -4,21 +4,25 @@ import math
 
 from PySide6.QtCore import QCoreApplication
 
-from core.discrepancy.result import Candidate, Explanation, NextMeasurement, Step
+from core.arrays import FloatArray
+from core.discrepancy.result import UNKNOWN, Candidate, Explanation, NextMeasurement, Step
 from core.model.catalogue.listing import CATALOGUE
 from core.plans.plan import Plan
+from gui.discrepancy.certainty import is_noise
 from gui.discrepancy.state import CandidateRow, DetailState, LightRow, NextCard, ProposalCard
-from gui.discrepancy.words import effect_words, numbers_words, unit_words
-from gui.discrepancy.working import Story, rivals_of
+from gui.discrepancy.words import effect_words, numbers_of, plain_words, unit_words
+from gui.discrepancy.working import RECORD, Story, is_fact, rivals_of
 from gui.widgets.number_text import fixed, significant
 from gui.widgets.states import TableState, Tone
 
 _OTHERS = 4
+_LARGE = 100.0
+"""Evidence from which its decimals say nothing."""
 
 
 def proposals_of(story: Story) -> tuple[ProposalCard, ...]:
     """One card for each effect that was found and not yet added, one for what else could be."""
-    cards = [_card(number, step) for number, step in enumerate(story.proposals, 1)]
+    cards = [_card(number, step, story.seconds) for number, step in enumerate(story.proposals, 1)]
     if cards or story.proposed is None:
         return tuple(cards)
     rest = story.told.candidates
@@ -26,7 +30,11 @@ def proposals_of(story: Story) -> tuple[ProposalCard, ...]:
         return ()
     title = QCoreApplication.translate("Discrepancy", "Could still be added; nothing asks for it")
     best = max(each.evidence for each in rest)
-    return (ProposalCard(title, (), tuple(_row(each, best) for each in rest[:_OTHERS])),)
+    return (
+        ProposalCard(
+            title, (), "", tuple(_row(each, best, story.seconds) for each in rest[:_OTHERS])
+        ),
+    )
 
 
 def chosen_of(story: Story, wanted: str) -> Candidate | None:
@@ -52,7 +60,11 @@ def detail_of(candidate: Candidate) -> DetailState:
         template = QCoreApplication.translate("Discrepancy", "What to do: {words}")
         lines.append(template.format(words=effect.remedy))
     return DetailState(
-        candidate.effect, candidate.name, candidate.plain, candidate.equation, tuple(lines)
+        candidate.effect,
+        candidate.name,
+        plain_words(candidate.plain),
+        candidate.equation,
+        tuple(lines),
     )
 
 
@@ -159,46 +171,75 @@ def lights_of(told: Explanation) -> tuple[LightRow, ...]:
     return tuple(sorted(rows, key=lambda row: order[row.tone]))
 
 
-def _card(number: int, step: Step) -> ProposalCard:
+def _card(number: int, step: Step, seconds: FloatArray) -> ProposalCard:
     rivals = rivals_of(step)
     best = max(each.evidence for each in rivals)
     same = {step.effect, *step.indistinguishable_from}
-    tied = tuple(_row(each, best) for each in rivals if each.effect in same)
-    others = tuple(_row(each, best) for each in rivals if each.effect not in same)
-    if len(tied) > 1:
-        template = QCoreApplication.translate(
-            "Discrepancy", "{number}. These cannot be told apart yet"
+    tied = tuple(_row(each, best, seconds) for each in rivals if each.effect in same)
+    others = tuple(_row(each, best, seconds) for each in rivals if each.effect not in same)
+    shown = {row.key for row in tied}
+    further = [name for name in step.indistinguishable_from if name not in shown]
+    words = ""
+    if further:
+        template = QCoreApplication.translate("Discrepancy", "Fits these rows as well: {names}")
+        words = template.format(names=" · ".join(effect_words(name) for name in further))
+    template = _heading(step)
+    return ProposalCard(template.format(number=number), tied, words, others[:_OTHERS])
+
+
+def _heading(step: Step) -> str:
+    """What stands over the card of a step: how sure its name is."""
+    if is_fact(step):
+        return QCoreApplication.translate("Discrepancy", "{number}. A fault of the data")
+    if step.effect == UNKNOWN:
+        return QCoreApplication.translate("Discrepancy", "{number}. No effect explains this")
+    if step.indistinguishable_from == (UNKNOWN,):
+        return QCoreApplication.translate(
+            "Discrepancy", "{number}. The best name, or something outside the catalogue"
         )
-    else:
-        template = QCoreApplication.translate("Discrepancy", "{number}. Missing in the model")
-    return ProposalCard(template.format(number=number), tied, others[:_OTHERS])
+    if step.indistinguishable_from:
+        return QCoreApplication.translate("Discrepancy", "{number}. These cannot be told apart yet")
+    if is_noise(step):
+        return QCoreApplication.translate("Discrepancy", "{number}. A term of the noise")
+    return QCoreApplication.translate("Discrepancy", "{number}. Missing in the model")
 
 
-def _row(candidate: Candidate, best: float) -> CandidateRow:
+def _row(candidate: Candidate, best: float, seconds: FloatArray) -> CandidateRow:
     evidence = QCoreApplication.translate("Discrepancy", "evidence {nats}, {share} %").format(
-        nats=fixed(candidate.evidence, 1), share=fixed(100.0 * candidate.probability, 0)
+        nats=fixed(candidate.evidence, 0 if candidate.evidence >= _LARGE else 1),
+        share=fixed(100.0 * candidate.probability, 0),
     )
     left = QCoreApplication.translate("Discrepancy", "leaves a gap of {gap}").format(
         gap=fixed(candidate.gap_after, 2)
     )
     share = min(max(candidate.evidence / best, 0.0), 1.0) if best > 0 else 0.0
     return CandidateRow(
-        candidate.effect, candidate.name, numbers_words(candidate), share, evidence, left
+        candidate.effect,
+        candidate.name,
+        ", ".join(numbers_of(candidate.parameters, seconds)),
+        share,
+        evidence,
+        left,
     )
 
 
 def _next(each: NextMeasurement) -> NextCard:
     minutes = fixed(each.minutes, 0)
     plan: object = each.plan
-    if isinstance(plan, Plan):
+    # A record is no walk through positions: no tab measures it by itself.
+    steps = plan.steps if isinstance(plan, Plan) else ()
+    walked = isinstance(plan, Plan) and plan.test != RECORD
+    facts = QCoreApplication.translate("Discrepancy", "{minutes} min").format(minutes=minutes)
+    if walked:
         facts = QCoreApplication.translate("Discrepancy", "{count} positions, {minutes} min")
-        facts = facts.format(count=len(plan.steps), minutes=minutes)
-    else:
-        facts = QCoreApplication.translate("Discrepancy", "{minutes} min").format(minutes=minutes)
+        if each.plan.test == "rate_table":
+            facts = QCoreApplication.translate("Discrepancy", "{count} rates, {minutes} min")
+        facts = facts.format(count=len(steps), minutes=minutes)
+    parts = () if walked else tuple(step.group for step in steps)
     head, _, tail = each.why.partition("; tells apart ")
     why = head[:1].upper() + head[1:]
     if tail:
         names = ", ".join(effect_words(name) for name in tail.split(", "))
         template = QCoreApplication.translate("Discrepancy", "{why}. Tells apart: {names}.")
         why = template.format(why=why, names=names)
-    return NextCard(each.title, why, facts, each.probability, isinstance(plan, Plan))
+    return NextCard(each.title, why, facts, each.probability, parts, walked)

@@ -5,10 +5,10 @@ from collections.abc import Sequence
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtWidgets import (
     QFrame,
+    QGridLayout,
     QHBoxLayout,
     QLineEdit,
     QPushButton,
-    QScrollArea,
     QTabWidget,
     QVBoxLayout,
     QWidget,
@@ -17,12 +17,13 @@ from PySide6.QtWidgets import (
 from gui.discrepancy.candidate_view import CandidateView, ChanceBar, ProposalView
 from gui.discrepancy.cause_view import CauseView
 from gui.discrepancy.grade_view import GradeView
+from gui.discrepancy.overview_view import OverviewView
 from gui.discrepancy.state import DetailState, NextCard, StoryState
+from gui.discrepancy.words import unit_words
 from gui.languages.shown import shown
 from gui.widgets.fields import ChoiceField
 from gui.widgets.note_line import NoteLine
-from gui.widgets.result_table import ResultTable
-from gui.widgets.theme import current_theme
+from gui.widgets.page_scroll import PageScroll
 from gui.widgets.word_label import WordLabel
 
 _NEXT, _GRADE, _TRIAL = 1, 2, 3
@@ -43,17 +44,7 @@ class FindingsView(QWidget):
         self._state: StoryState | None = None
         self._titles: list[str] = []
         unit = self.fontMetrics().height()
-        self.title, self.source, self.verdict, self.summary = (WordLabel() for _ in range(4))
-        for label, size in ((self.title, 1.0), (self.verdict, 1.2)):
-            font = label.font()
-            font.setBold(True)
-            font.setPointSizeF(font.pointSizeF() * size)
-            label.setFont(font)
-        for label in (self.title, self.source, self.verdict, self.summary):
-            label.setWordWrap(True)
-            label.setTextFormat(Qt.TextFormat.PlainText)
-            label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self.source.setForegroundRole(self.source.palette().ColorRole.PlaceholderText)
+        self.overview = OverviewView()
         self._trial = ""
         self.pages = QTabWidget()
         self.pages.setDocumentMode(True)
@@ -66,12 +57,7 @@ class FindingsView(QWidget):
             column.setContentsMargins(0, unit // 2, unit // 2, unit // 2)
             column.setSpacing(unit // 2)
             column.addStretch(1)
-            scroll = QScrollArea()
-            scroll.setWidget(page)
-            scroll.setWidgetResizable(True)
-            scroll.setFrameShape(QFrame.Shape.NoFrame)
-            scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-            self.pages.addTab(scroll, "")
+            self.pages.addTab(PageScroll(page), "")
             self._columns.append(column)
         self._formats, self._name, self._export = ChoiceField(), QLineEdit(), QPushButton()
         self._formats.setMinimumContentsLength(12)
@@ -81,15 +67,15 @@ class FindingsView(QWidget):
         self._formats.activated.connect(self._on_format)
         self._name.returnPressed.connect(self.export)
         self._export.clicked.connect(self.export)
-        foot = QHBoxLayout()
-        foot.addWidget(self._formats, 1)
-        foot.addWidget(self._name, 2)
-        foot.addWidget(self._export)
+        foot = QGridLayout()
+        foot.addWidget(self._formats, 0, 0)
+        foot.addWidget(self._export, 0, 1)
+        foot.addWidget(self._name, 1, 0, 1, 2)
+        foot.setColumnStretch(0, 1)
         column = QVBoxLayout(self)
         column.setContentsMargins(unit // 2, unit // 2, unit // 2, unit // 2)
         column.setSpacing(unit // 4)
-        for label in (self.title, self.source, self.verdict, self.summary):
-            column.addWidget(label)
+        column.addWidget(self.overview)
         column.addWidget(self.pages, 1)
         column.addLayout(foot)
         self._retranslate()
@@ -103,11 +89,7 @@ class FindingsView(QWidget):
     def render(self, state: StoryState) -> None:
         """Show a state."""
         old, self._state = self._state, state
-        self.title.setText(state.title)
-        self.source.setText(state.source)
-        self.verdict.setText(state.verdict)
-        self.summary.setText(state.summary)
-        self._colour()
+        self.overview.render(state)
         fresh = old is None
         if (
             fresh
@@ -119,7 +101,7 @@ class FindingsView(QWidget):
         tied = any(len(card.tied) > 1 for card in state.proposals)
         if fresh or old.following != state.following or old.proposals != state.proposals:
             self._render_following(state.following, tied)
-        if fresh or (old.lights, old.grade) != (state.lights, state.grade):
+        if fresh or old.lights != state.lights:
             self._render_grade(state)
         self._name_pages()
 
@@ -156,6 +138,7 @@ class FindingsView(QWidget):
     def show_name(self, name: str) -> None:
         """Propose a file name."""
         self._name.setText(name)
+        self._name.setToolTip(name)
 
     def export(self) -> None:
         """Write the chosen format under the name in the field."""
@@ -201,8 +184,10 @@ class FindingsView(QWidget):
         rows = QVBoxLayout(frame)
         rows.setContentsMargins(unit // 2, unit // 2, unit // 2, unit // 2)
         rows.setSpacing(unit // 4)
-        rows.addWidget(_text(card.title, bold=True))
-        rows.addWidget(_text(card.why))
+        rows.addWidget(_text(unit_words(shown(card.title)), bold=True))
+        rows.addWidget(_text(unit_words(shown(card.why))))
+        for number, part in enumerate(card.parts, 1):
+            rows.addWidget(_text(f"{number}. {unit_words(shown(part))}"))
         rows.addWidget(ChanceBar(card))
         foot = QHBoxLayout()
         foot.addWidget(_text(card.facts, muted=True), 1)
@@ -226,11 +211,8 @@ class FindingsView(QWidget):
         column = self._columns[2]
         _clear(column)
         if state.lights:
-            column.insertWidget(0, GradeView(state.lights))
-        for place, table in enumerate(state.grade, column.count() - 1):
-            view = ResultTable()
-            view.render(table)
-            column.insertWidget(place, view)
+            column.insertWidget(0, _text(self.tr("From which size on these rows name an effect")))
+            column.insertWidget(1, GradeView(state.lights))
 
     def _on_plan(self) -> None:
         self.plan_opened.emit(self.sender().property("place"))
@@ -240,11 +222,6 @@ class FindingsView(QWidget):
 
     def _on_format(self, index: int) -> None:
         self.format_chosen.emit(self._formats.itemData(index))
-
-    def _colour(self) -> None:
-        if self._state is not None:
-            colour = current_theme().tones[self._state.tone]
-            self.verdict.setStyleSheet(f"color: {colour}")
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
@@ -256,8 +233,6 @@ class FindingsView(QWidget):
                 # Built anew: the words of cards and buttons are written when they are made.
                 state, self._state = self._state, None
                 self.render(state)
-        elif event.type() == QEvent.Type.PaletteChange and hasattr(self, "_state"):
-            self._colour()
 
     def _name_pages(self) -> None:
         count = 0 if self._state is None else len(self._state.following)

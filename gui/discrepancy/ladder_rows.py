@@ -4,9 +4,11 @@ import math
 
 from PySide6.QtCore import QCoreApplication
 
+from core.arrays import FloatArray
 from core.discrepancy.result import Explanation, Gap, Step, Where
+from gui.discrepancy.certainty import certainty_words, tone_of
 from gui.discrepancy.state import RegressorRow, RungState
-from gui.discrepancy.words import effect_words, fitted_words, p_words, regressor_words, unit_words
+from gui.discrepancy.words import numbers_of, p_words, regressor_words, unit_words
 from gui.discrepancy.working import Story, is_fact
 from gui.widgets.number_text import MINUS, fixed, significant
 from gui.widgets.states import Tone
@@ -28,11 +30,13 @@ def rungs_of(story: Story) -> tuple[RungState, ...]:
         facts=_facts(told.before, told.held_out_before),
         parameters=(_floor(told),),
     )
-    count = len(told.steps)
+    count, seconds = len(told.steps), story.seconds
     return (
         plain,
-        *(_rung(number, step, False) for number, step in enumerate(told.steps, 1)),
-        *(_rung(count + number, step, True) for number, step in enumerate(story.proposals, 1)),
+        *(
+            _rung(number, step, seconds, proposed=number > count)
+            for number, step in enumerate((*told.steps, *story.proposals), 1)
+        ),
     )
 
 
@@ -52,20 +56,16 @@ def place_words(one: Where) -> str:
     return template.format(sigmas=f"{sign}{sigmas}", value=f"{value}{gap}{unit}")
 
 
-def _rung(number: int, step: Step, proposed: bool) -> RungState:
-    doubt = ""
-    if step.indistinguishable_from:
-        template = QCoreApplication.translate("Discrepancy", "or {names}")
-        names = " · ".join(effect_words(each) for each in step.indistinguishable_from)
-        doubt = template.format(names=names)
+def _rung(number: int, step: Step, seconds: FloatArray, *, proposed: bool) -> RungState:
     return RungState(
         number=number,
         title=f"+ {step.name}",
         gap=step.gap_after,
         held_out=step.held_out_gap_after,
         facts=_facts(step.after, step.held_out_gap_after, step.evidence),
-        parameters=tuple(fitted_words(each) for each in step.parameters),
-        doubt=doubt,
+        parameters=numbers_of(step.parameters, seconds),
+        tone=tone_of(step),
+        certainty=certainty_words(step),
         proposed=proposed,
         kept=not proposed and is_fact(step),
     )

@@ -5,20 +5,20 @@ import math
 from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import (
-    QFrame,
     QHBoxLayout,
     QLabel,
-    QScrollArea,
     QSizePolicy,
     QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
+from gui.discrepancy.grade_view import Light
 from gui.discrepancy.state import RungState
 from gui.languages.shown import shown, shown_number
 from gui.widgets.colours import blend
 from gui.widgets.number_text import fixed
+from gui.widgets.page_scroll import PageScroll
 from gui.widgets.states import Tone
 from gui.widgets.theme import current_theme
 from gui.widgets.word_label import WordLabel
@@ -76,6 +76,9 @@ class GapBar(QWidget):
         painter.setPen(QPen(QColor(theme.text), 1, Qt.PenStyle.DotLine))
         painter.drawLine(QPointF(floor, 0), QPointF(floor, size.height()))
         painter.setPen(QColor(theme.text))
+        font = painter.font()
+        font.setBold(True)
+        painter.setFont(font)
         painter.drawText(
             QRectF(room + 0.3 * unit, 0, 2.9 * unit, size.height()),
             Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter,
@@ -122,8 +125,12 @@ class RungView(QWidget):
         column.setContentsMargins(0, unit // 3, 0, unit // 3)
         column.setSpacing(unit // 6)
         column.addLayout(head)
-        if rung.doubt:
-            column.addWidget(_words(rung.doubt, doubt=True))
+        if rung.certainty:
+            sure = QHBoxLayout()
+            sure.setSpacing(unit // 4)
+            sure.addWidget(Light(rung.tone), 0, Qt.AlignmentFlag.AlignTop)
+            sure.addWidget(_words(rung.certainty), 1)
+            column.addLayout(sure)
         column.addWidget(GapBar(rung, largest))
         column.addWidget(_words(rung.facts, muted=True))
         for line in rung.parameters:
@@ -153,18 +160,13 @@ class LadderView(QWidget):
         self._column.setContentsMargins(unit // 2, 0, unit // 2, 0)
         self._column.setSpacing(unit // 4)
         self._column.addStretch(1)
-        scroll = QScrollArea()
-        scroll.setWidget(self._page)
-        scroll.setWidgetResizable(True)
-        scroll.setFrameShape(QFrame.Shape.NoFrame)
-        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         rows = QVBoxLayout(self)
         rows.setContentsMargins(0, unit // 2, 0, 0)
         rows.setSpacing(unit // 6)
         for label in (self._title, self._legend):
             label.setContentsMargins(unit // 2, 0, unit // 2, 0)
             rows.addWidget(label)
-        rows.addWidget(scroll, 1)
+        rows.addWidget(PageScroll(self._page), 1)
         self._retranslate()
 
     def render(self, rungs: tuple[RungState, ...]) -> None:
@@ -203,7 +205,7 @@ def largest_of(rungs: tuple[RungState, ...]) -> float:
     return max([_WIDEST, *(1.05 * size for size in sizes)])
 
 
-def _words(text: str, *, bold: bool = False, muted: bool = False, doubt: bool = False) -> WordLabel:
+def _words(text: str, *, bold: bool = False, muted: bool = False) -> WordLabel:
     label = WordLabel(text)
     label.setWordWrap(True)
     label.setTextFormat(Qt.TextFormat.PlainText)
@@ -214,6 +216,4 @@ def _words(text: str, *, bold: bool = False, muted: bool = False, doubt: bool = 
         label.setFont(font)
     if muted:
         label.setForegroundRole(label.palette().ColorRole.PlaceholderText)
-    if doubt:
-        label.setText(f"△ {shown(text)}")
     return label

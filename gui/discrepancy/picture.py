@@ -113,11 +113,13 @@ def _spectrum(where: Where, unit: str) -> PictureState:
 
 
 def _title(where: Where, name: str) -> str:
+    if name != where.regressor:
+        # A word within a sentence; the name of a column stays as it is.
+        name = name[:1].lower() + name[1:]
     if math.isnan(where.p_value):
         template = QCoreApplication.translate(
             "Discrepancy", "What the effects so far leave against {name}: largest {place}"
         )
-        name = name[:1].lower() + name[1:]
         return template.format(name=name, place=place_words(where))
     if where.p_value < SIGNIFICANT:
         template = QCoreApplication.translate(
@@ -127,7 +129,6 @@ def _title(where: Where, name: str) -> str:
         template = QCoreApplication.translate(
             "Discrepancy", "No structure against {name} beyond the noise: {p}, largest {place}"
         )
-    name = name[:1].lower() + name[1:]
     return template.format(name=name, p=p_words(where.p_value), place=place_words(where))
 
 

@@ -19,6 +19,7 @@ from gui.widgets.toggle import Toggle
 from gui.widgets.word_label import WordLabel
 
 _CROSS = "✕"
+_MANY = 200
 _MEASURED, _SIMULATED, _AGAIN, _CURVE, _PREVIEW, _BAND = 0, 1, 3, 4, 2, 5
 
 
@@ -35,8 +36,9 @@ class RowsPlot(Plot):
         self._plot.setXLink(other)
 
     def add_crosses(self, x: FloatArray, y: FloatArray, colour: int, name: str = "") -> None:
-        """Draw points as crosses, so that they can lie on others."""
-        item = pg.ScatterPlotItem(x, y, size=9, symbol="x", brush=None)
+        """Draw points as crosses, so that they can lie on others; many are drawn small."""
+        size = 9 if len(x) < _MANY else 4
+        item = pg.ScatterPlotItem(x, y, size=size, symbol="x", brush=None)
         self._add(item, lambda theme: item.setPen(pg.mkPen(_shade(theme, colour), width=1)))
         self._entitle(name, colour, None)
 
@@ -63,7 +65,17 @@ class RowsPlot(Plot):
         item = pg.TextItem(shown(text), anchor=(min(max(across, 0.0), 1.0), 1.2 if above else -0.2))
         item.setPos(x, y)
         item.setZValue(20)
-        self._add(item, lambda theme: item.setColor(theme.tones[Tone.BAD]))
+        font = self.font()
+        font.setBold(True)
+        item.setFont(font)
+
+        def wear(theme: Theme) -> None:
+            item.setColor(theme.tones[Tone.BAD])
+            # Points and bands do not show through the words.
+            item.fill = pg.mkBrush(theme.base)
+            item.update()
+
+        self._add(item, wear)
 
     def draw_residual(self, picture: PictureState) -> None:
         """Draw the residual, its band, and where it leaves it."""
@@ -110,6 +122,7 @@ class PlotsView(QWidget):
         self.title.setFont(font)
         self.title.setMinimumHeight(round(2.4 * unit))
         self.channels, self.after = ChoiceField(), Toggle()
+        self.channels.setSizeAdjustPolicy(ChoiceField.SizeAdjustPolicy.AdjustToContents)
         head = QHBoxLayout()
         head.addWidget(self.channels)
         head.addWidget(self.after)

@@ -14,15 +14,22 @@ from gui.discrepancy.cards import (
     chosen_of,
     detail_of,
     following_of,
-    grade_of,
     lights_of,
     proposals_of,
 )
 from gui.discrepancy.handed import addition_of
 from gui.discrepancy.ladder_rows import regressors_of, rungs_of
+from gui.discrepancy.overview import advice_of, found_of, gaps_of, notes_of, title_of
 from gui.discrepancy.picture import picture_of, where_of
 from gui.discrepancy.rerun import played
-from gui.discrepancy.scene import actions_of, empty_state, judgement_of
+from gui.discrepancy.scene import (
+    actions_of,
+    empty_state,
+    hint_words,
+    is_rejected,
+    judgement_of,
+    sensors_asked,
+)
 from gui.discrepancy.state import PictureState, StoryState
 from gui.discrepancy.words import phase_words
 from gui.discrepancy.working import Story, added, all_added, opened, searched
@@ -30,10 +37,9 @@ from gui.jobs import Jobs
 from gui.measuring.loading import Choice, mounts_asked
 from gui.messages import Messages
 from gui.services import Addition
-from gui.widgets.states import ActionBarState, BannerAction, BannerState
+from gui.widgets.states import ActionBarState, BannerState
 
 SOURCE = "discrepancy"
-_SENSORS = ("accelerometer", "gyro")
 
 
 class DiscrepancyPresenter(QObject):
@@ -69,6 +75,8 @@ class DiscrepancyPresenter(QObject):
         self._story: Story | None = None
         self._before: list[Story] = []
         self._asked: tuple[Path, ...] = ()
+        self._given: tuple[str | None, Sequence[str] | None, str | None] = (None, None, None)
+        self._output = ""
         self._then_find = False
         self._busy = ""
         self._chosen = ""
@@ -109,22 +117,26 @@ class DiscrepancyPresenter(QObject):
         """The tab as it is now."""
         story = self._story
         if story is None:
-            return empty_state(self._hint(), self._busy, self._items())
+            return empty_state(self._busy or hint_words(), self._busy, self._items())
         told, judged = story.told, story.proposed
         candidate = self._candidate()
         verdict, summary, tone = judgement_of(told, judged, alone=self._alone)
-        run = story.run
+        outputs = story.outputs or told.channels
+        channel = outputs.index(told.channels[0]) if story.outputs else self._channel
         return StoryState(
-            title=f"{run.device}, {len(run)} × {len(told.channels)}",
+            title=title_of(story),
             source=" + ".join(path.name for path in story.paths),
             verdict=verdict,
             summary=summary,
             tone=tone,
+            gaps="" if self._alone == "plan" else gaps_of(story),
+            found=() if self._alone else found_of(story),
+            advice=advice_of(story, rejected=is_rejected(told), alone=self._alone),
             rungs=rungs_of(story),
             regressors=regressors_of(where_of(story, after=self._after)),
             regressor=self._regressor,
-            channels=told.channels,
-            channel=self._channel,
+            channels=outputs,
+            channel=channel,
             picture=self._picture(candidate),
             after=self._after,
             can_after=bool(told.where_after),
@@ -133,9 +145,8 @@ class DiscrepancyPresenter(QObject):
             chosen="" if candidate is None else candidate.effect,
             detail=None if candidate is None else detail_of(candidate),
             following=() if self._alone else following_of(story),
-            lights=lights_of(told) if self._alone == "plan" else (),
-            grade=() if self._alone == "plan" else grade_of(told),
-            notes=(*run.notes, *(judged or told).notes),
+            lights=lights_of(told),
+            notes=notes_of(story, summary),
             actions=self._items(),
             hint="",
             busy=self._busy,
@@ -154,6 +165,7 @@ class DiscrepancyPresenter(QObject):
             return
         self._asked, self._then_find = tuple(Path(name) for name in names), find
         self._alone = ""
+        self._output = ""
         self._read(None, None, None)
 
     def open_alone(self, work: Callable[[], Story], kind: str) -> None:
@@ -242,8 +254,14 @@ class DiscrepancyPresenter(QObject):
             self._tell()
 
     def show_channel(self, channel: int) -> None:
-        """Plot another output."""
-        if channel != self._channel:
+        """Plot another output; of a record, compare that one."""
+        story = self._story
+        if story is not None and story.outputs:
+            if not self._busy and story.outputs[channel] != story.told.channels[0]:
+                self._output = story.outputs[channel]
+                self._then_find = story.proposed is not None
+                self._read(*self._given)
+        elif channel != self._channel:
             self._channel = channel
             self._tell()
 
@@ -260,11 +278,12 @@ class DiscrepancyPresenter(QObject):
     # --- the work ---------------------------------------------------------------------------------
 
     def _read(self, device: str | None, mounts: Sequence[str] | None, sensor: str | None) -> None:
-        paths, settings = self._asked, self._settings
+        self._given = device, mounts, sensor
+        paths, settings, output = self._asked, self._settings, self._output
         self._messages.clear(SOURCE)
         self._start(
             "reading",
-            lambda: opened(paths, settings, self._phase.emit, device, mounts, sensor),
+            lambda: opened(paths, settings, self._phase.emit, device, mounts, sensor, output),
         )
 
     def _start(self, phase: str, work: Callable[[], object]) -> None:
@@ -299,7 +318,7 @@ class DiscrepancyPresenter(QObject):
     def _on_failed(self, error: LabError) -> None:
         self._busy, self._then_find, self._alone = "", False, ""
         what = QCoreApplication.translate("Discrepancy", "Model and data cannot be compared")
-        self._messages.tell_error(SOURCE, what, error, *mounts_asked(error), *_sensors(error))
+        self._messages.tell_error(SOURCE, what, error, *mounts_asked(error), *sensors_asked(error))
         self._tell()
 
     def _on_action(self, source: str, key: str) -> None:
@@ -367,17 +386,6 @@ class DiscrepancyPresenter(QObject):
                 )
         return None
 
-    def _hint(self) -> str:
-        if self._busy:
-            return self._busy
-        return QCoreApplication.translate(
-            "Discrepancy",
-            "Load Data (Ctrl+O) takes a session's folder, run files or text files of the old"
-            " programs; several of one unit are compared as one run.\n\n"
-            "Find (Space) then looks for what the model lacks, names it, and says how sure that is;"
-            " or press “Find out why” on a page of results.",
-        )
-
     def _items(self) -> ActionBarState:
         return actions_of(
             self._story,
@@ -390,10 +398,3 @@ class DiscrepancyPresenter(QObject):
 
     def _tell(self) -> None:
         self.changed.emit(self.state)
-
-
-def _sensors(error: LabError) -> tuple[BannerAction, ...]:
-    """Buttons for a file that holds both sensors."""
-    if "sensor" not in str(error) or not all(name in str(error) for name in _SENSORS):
-        return ()
-    return tuple(BannerAction(f"sensor {name}", name.capitalize()) for name in _SENSORS)

@@ -5,6 +5,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication
 
+from core.arrays import FloatArray
 from core.discrepancy.result import Step
 from core.records.atomic import write_text_atomic
 from gui.certificate.html import whole_html
@@ -16,8 +17,9 @@ from gui.discrepancy.paper_view import cause_picture, ladder_picture, plot_pictu
 from gui.discrepancy.picture import picture_of, where_of
 from gui.discrepancy.words import (
     effect_words,
-    fitted_words,
+    numbers_of,
     p_words,
+    plain_words,
     regressor_words,
     summary_words,
     verdict_words,
@@ -69,7 +71,7 @@ def sections_of(story: Story) -> tuple[str, ...]:
         heading = QCoreApplication.translate("Discrepancy", "The ladder")
         pieces.append(f"<h2>{escape(heading)}</h2><p>{ladder_picture(rungs)}</p>{_ladder(whole)}")
         pieces += _plots(whole)
-    pieces += [_step(number, step) for number, step in enumerate(told.steps, 1)]
+    pieces += [_step(number, step, story.seconds) for number, step in enumerate(told.steps, 1)]
     pieces.append(_where(whole))
     pieces.append(_following(whole))
     pieces += [table_html(table) for table in grade_of(told)]
@@ -137,11 +139,11 @@ def _plots(story: Story) -> list[str]:
     return pieces
 
 
-def _step(number: int, step: Step) -> str:
-    lines = [escape(step.plain[:1].upper() + step.plain[1:])]
+def _step(number: int, step: Step, seconds: FloatArray) -> str:
+    lines = [escape(plain_words(step.plain))]
     if step.equation:
         lines.append(f"<i>U + {symbols(escape(step.equation))}</i>")
-    lines += [escape(fitted_words(each)) for each in step.parameters]
+    lines += [escape(words) for words in numbers_of(step.parameters, seconds)]
     template = QCoreApplication.translate(
         "Discrepancy", "evidence {evidence} nats, probability {share} among the names, {p}"
     )

@@ -3,15 +3,16 @@
 from PySide6.QtCore import QCoreApplication
 
 from core.discrepancy.result import Explanation
+from core.errors import LabError
 from gui.discrepancy.ladder_rows import SIGNIFICANT
 from gui.discrepancy.plan_grade import counts_of
 from gui.discrepancy.state import StoryState
-from gui.discrepancy.words import TONES, summary_words, verdict_words
+from gui.discrepancy.words import TONES, closed_words, summary_words, verdict_words
 from gui.discrepancy.working import Story
-from gui.widgets.number_text import fixed
-from gui.widgets.states import ActionBarState, ActionItem, Tone
+from gui.widgets.states import ActionBarState, ActionItem, BannerAction, Tone
 
 _REJECTED = 1e-3
+_SENSORS = ("accelerometer", "gyro")
 
 
 def actions_of(
@@ -30,6 +31,7 @@ def actions_of(
     able = story is not None and story.able and not busy and not alone
     ladder = story is not None and story.ladder is not None
     addable = ladder or (story is not None and story.known is not None)
+    closed = ladder and story is not None and bool(story.told.steps) and not candidate
     nothing = QCoreApplication.translate("Discrepancy", "There is nothing to compare yet.")
     if alone == "plan":
         nothing = QCoreApplication.translate("Discrepancy", "Nothing was measured yet.")
@@ -42,7 +44,7 @@ def actions_of(
                 "find",
                 QCoreApplication.translate("Discrepancy", "Find"),
                 "Space",
-                default=True,
+                default=story is not None and story.proposed is None,
                 enabled=able,
                 why_not=nothing,
             ),
@@ -50,6 +52,7 @@ def actions_of(
                 "add",
                 QCoreApplication.translate("Discrepancy", "Add to Model"),
                 "Ctrl+Return",
+                default=candidate,
                 enabled=able and candidate and addable,
                 why_not=none,
             ),
@@ -80,6 +83,7 @@ def actions_of(
                 "calibrate",
                 QCoreApplication.translate("Discrepancy", "Use in Calibration"),
                 "F7",
+                default=closed,
                 enabled=able and ladder,
                 why_not=nothing,
             ),
@@ -87,6 +91,7 @@ def actions_of(
                 "load",
                 QCoreApplication.translate("ActionBar", "Load Data"),
                 "Ctrl+O",
+                default=story is None,
                 enabled=not busy,
             ),
             ActionItem(
@@ -109,33 +114,33 @@ def actions_of(
 def judgement_of(
     told: Explanation, proposed: Explanation | None, *, alone: str = ""
 ) -> tuple[str, str, Tone]:
-    """Headline, sentence and tone; before anything was looked for only whether the model holds."""
+    """Headline, sentence and tone; before anything was looked for only whether the model holds.
+
+    The sentence is empty where the steps that were found tell it.
+    """
     if alone == "plan":
         return _plan_judged(told)
     if proposed is not None or told.verdict == "not_enough_data":
         judged = told if proposed is None else proposed
-        return verdict_words(judged.verdict), summary_words(judged), TONES[judged.verdict]
-    rejected = any(one.p_value < SIGNIFICANT for one in told.where)
-    rejected = rejected or told.before.p_value < _REJECTED
-    gap = fixed(told.before.gap, 2)
+        sentence = "" if judged.steps else summary_words(judged)
+        tone = TONES[judged.verdict]
+        if proposed is not None and told.steps and len(told.steps) == len(proposed.steps):
+            closed = closed_words(judged.verdict)
+            tone = Tone.GOOD if judged.verdict == "explained" else tone
+            return closed or verdict_words(judged.verdict), sentence, tone
+        return verdict_words(judged.verdict), sentence, tone
     if alone:
-        words = QCoreApplication.translate("Discrepancy", "A sealed case")
-        template = QCoreApplication.translate(
-            "Discrepancy", "Its gap is {gap} noise floors; what is behind it is yours to name."
-        )
-        return words, template.format(gap=gap), Tone.ACTION
-    if rejected:
-        template = QCoreApplication.translate(
-            "Discrepancy", "Its gap is {gap} noise floors. Find (Space) looks for the reason."
-        )
+        return QCoreApplication.translate("Discrepancy", "A sealed case"), "", Tone.ACTION
+    if is_rejected(told):
         words = QCoreApplication.translate("Discrepancy", "The plain model is rejected")
-        return words, template.format(gap=gap), Tone.DOUBT
-    template = QCoreApplication.translate(
-        "Discrepancy",
-        "Its gap is {gap} noise floors. Find (Space) looks closer.",
-    )
+        return words, "", Tone.DOUBT
     words = QCoreApplication.translate("Discrepancy", "No regressor speaks against the plain model")
-    return words, template.format(gap=gap), Tone.IDLE
+    return words, "", Tone.IDLE
+
+
+def is_rejected(told: Explanation) -> bool:
+    """Whether the plain model does not hold, by where its residuals are or how large."""
+    return told.before.p_value < _REJECTED or any(one.p_value < SIGNIFICANT for one in told.where)
 
 
 def _plan_judged(told: Explanation) -> tuple[str, str, Tone]:
@@ -158,6 +163,18 @@ def _plan_judged(told: Explanation) -> tuple[str, str, Tone]:
     return words, template.format(alone=alone, tied=tied, hidden=hidden), Tone.ACTION
 
 
+def hint_words() -> str:
+    """What the tab without a run says."""
+    return QCoreApplication.translate(
+        "Discrepancy",
+        "Load Data (Ctrl+O) takes a session's folder, run files, records or text files of the old"
+        " programs; several of one unit are compared as one run.\n\n"
+        "Find (Space) then looks for what the model lacks, names it, and says how sure that is;"
+        " or press “Model vs data” on a page of results.\n\n"
+        "Practice (F8) hides something in rows of the simulated rig, for you to name.",
+    )
+
+
 def empty_state(hint: str, busy: str, items: ActionBarState) -> StoryState:
     """The tab before a run is there."""
     return StoryState(
@@ -166,6 +183,9 @@ def empty_state(hint: str, busy: str, items: ActionBarState) -> StoryState:
         verdict="",
         summary="",
         tone=Tone.IDLE,
+        gaps="",
+        found=(),
+        advice="",
         rungs=(),
         regressors=(),
         regressor="",
@@ -180,9 +200,15 @@ def empty_state(hint: str, busy: str, items: ActionBarState) -> StoryState:
         detail=None,
         following=(),
         lights=(),
-        grade=(),
         notes=(),
         actions=items,
         hint=hint,
         busy=busy,
     )
+
+
+def sensors_asked(error: LabError) -> tuple[BannerAction, ...]:
+    """Buttons for a file that holds both sensors."""
+    if "sensor" not in str(error) or not all(name in str(error) for name in _SENSORS):
+        return ()
+    return tuple(BannerAction(f"sensor {name}", name.capitalize()) for name in _SENSORS)

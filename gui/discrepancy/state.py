@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from core.arrays import FloatArray
 from core.errors import Note
-from gui.widgets.states import ActionBarState, TableState, Tone
+from gui.widgets.states import ActionBarState, Tone
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,7 +19,7 @@ class RungState:
     held_out : the same of rows that were left out of the fit; NaN where it was not computed
     facts : chi-square, evidence and the like, one line
     parameters : estimates with their uncertainties, one line each
-    doubt : what it cannot be told from; empty for nothing
+    tone, certainty : how sure its name is, as a sign and in words; empty for the plain model
     proposed : found, and not yet added
     kept : it cannot be taken back: a fault of the data that stands whatever the model
     """
@@ -30,9 +30,27 @@ class RungState:
     held_out: float
     facts: str
     parameters: tuple[str, ...]
-    doubt: str = ""
+    tone: Tone = Tone.IDLE
+    certainty: str = ""
     proposed: bool = False
     kept: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class StepRow:
+    """One missing effect at a glance.
+
+    Parameters
+    ----------
+    tone, certainty : how sure the name is, as a sign and in words
+    name : standard name
+    added : it is in the model
+    """
+
+    tone: Tone
+    name: str
+    certainty: str
+    added: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,11 +99,13 @@ class ProposalCard:
     ----------
     title : over the card
     tied : the effects of the set, best first
+    same : further names that fit, in words; empty for none
     others : less likely ones
     """
 
     title: str
     tied: tuple[CandidateRow, ...]
+    same: str
     others: tuple[CandidateRow, ...]
 
 
@@ -114,6 +134,7 @@ class NextCard:
     ----------
     title, why : in words
     facts : positions and time
+    parts : what is done one after another, where no tab does it
     chance : that the answer is unique afterwards, 0 to 1
     opens : there is a plan of steps, which a tab measures
     """
@@ -122,6 +143,7 @@ class NextCard:
     why: str
     facts: str
     chance: float
+    parts: tuple[str, ...] = ()
     opens: bool = True
 
 
@@ -186,7 +208,10 @@ class StoryState:
     Parameters
     ----------
     title, source : device and rows; file
-    verdict, summary, tone : the judgement
+    verdict, summary, tone : the judgement; the sentence is empty where `found` tells it
+    gaps : the gap before and after, in noise floors; empty where nothing can be said
+    found : every missing effect that was found, with how sure its name is
+    advice : what to do next; empty for nothing
     rungs : the ladder, from the plain model on; proposed rungs last
     regressors, regressor : the list, and the chosen key
     channels, channel : names of the outputs, and the chosen one
@@ -195,7 +220,7 @@ class StoryState:
     again : the rows played by the model are shown
     proposals, chosen, detail : what could be added; identifier of the chosen one
     following : what to measure next
-    lights, grade : what these rows can show, effect by effect, and as tables
+    lights : what these rows can show, effect by effect
     notes : every doubt
     actions : the row of buttons
     hint : instead of all that; empty if there is something
@@ -207,6 +232,9 @@ class StoryState:
     verdict: str
     summary: str
     tone: Tone
+    gaps: str
+    found: tuple[StepRow, ...]
+    advice: str
     rungs: tuple[RungState, ...]
     regressors: tuple[RegressorRow, ...]
     regressor: str
@@ -221,7 +249,6 @@ class StoryState:
     detail: DetailState | None
     following: tuple[NextCard, ...]
     lights: tuple[LightRow, ...]
-    grade: tuple[TableState, ...]
     notes: tuple[Note, ...]
     actions: ActionBarState
     hint: str

@@ -126,9 +126,10 @@ class DiscrepancyView(QWidget):
     def render(self, state: StoryState) -> None:
         """Show a state."""
         self._state = state
-        for side in self._sides:
-            side.setVisible(not state.hint)
-        self.hint.setText(state.hint or state.summary)
+        left, right = self._sides
+        left.setVisible(bool(state.rungs))
+        right.setVisible(not state.hint)
+        self.hint.setText(state.hint or state.advice)
         drawn = self.plots is not None and state.picture is not None
         self._middle.setCurrentWidget(self._content if drawn else self.hint)
         self.busy.setText(state.busy)
@@ -199,12 +200,13 @@ class DiscrepancyView(QWidget):
 
 
 def _sign(tone: Tone) -> QIcon:
-    """The sign of a tone as an icon that a chosen row does not tint."""
-    picture = QPixmap(32, 32)
-    picture.fill(QColor(0, 0, 0, 0))
-    painter = QPainter(picture)
-    paint_tone(painter, QRectF(4, 4, 24, 24), tone, current_theme().tones[tone])
-    painter.end()
-    icon = QIcon(picture)
-    icon.addPixmap(picture, QIcon.Mode.Selected)
+    """The sign of a tone as an icon; in a chosen row it stands on the colour of the others."""
+    theme, icon = current_theme(), QIcon()
+    for mode, ground in ((QIcon.Mode.Normal, "transparent"), (QIcon.Mode.Selected, theme.base)):
+        picture = QPixmap(32, 32)
+        picture.fill(QColor(ground))
+        painter = QPainter(picture)
+        paint_tone(painter, QRectF(4, 4, 24, 24), tone, theme.tones[tone])
+        painter.end()
+        icon.addPixmap(picture, mode)
     return icon

@@ -1,8 +1,12 @@
 """Words for what the engine names by keys."""
 
+import math
+from collections.abc import Sequence
+
 from PySide6.QtCore import QCoreApplication
 
-from core.discrepancy.result import UNKNOWN, Candidate, Explanation, Fitted, Step
+from core.arrays import FloatArray
+from core.discrepancy.result import UNKNOWN, Explanation, Fitted, Step
 from core.model.catalogue.listing import CATALOGUE
 from gui.widgets.number_text import MINUS, fixed, value_and_uncertainty
 from gui.widgets.states import Tone
@@ -16,6 +20,15 @@ TONES = {
     "data_fault": Tone.BAD,
     "not_enough_data": Tone.IDLE,
 }
+
+
+_PRINTED = (
+    *(("degC", "°C"), ("deg/s", "°/s"), ("^2", "²"), ("^3", "³")),
+    *(("sqrt(Hz)", "√Hz"), ("sqrt(h)", "√h"), ("sqrt(s)", "√s")),
+)
+_FROM = "from_row"
+_SMALL = 1e-3
+_RAISED = str.maketrans(f"0123456789{MINUS}", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 
 
 def phase_words(key: str) -> str:
@@ -56,9 +69,22 @@ def verdict_words(verdict: str) -> str:
     return words[verdict]
 
 
+def closed_words(verdict: str) -> str:
+    """The headline once all that was found is in the model; empty where nothing is closed."""
+    words = {
+        "explained": QCoreApplication.translate("Discrepancy", "Model and data agree now"),
+        "ambiguous": QCoreApplication.translate("Discrepancy", "They agree now; several names fit"),
+    }
+    return words.get(verdict, "")
+
+
 def regressor_words(key: str) -> str:
     """A regressor by its name; columns of a record keep theirs."""
-    words = {
+    return _regressors().get(key, key)
+
+
+def _regressors() -> dict[str, str]:
+    return {
         "head_deg": QCoreApplication.translate("Discrepancy", "Head angle"),
         "set_rate_dps": QCoreApplication.translate("Discrepancy", "Set rate"),
         "a_x": QCoreApplication.translate("Discrepancy", "a_x, along case X"),
@@ -77,13 +103,20 @@ def regressor_words(key: str) -> str:
         "channel": QCoreApplication.translate("Discrepancy", "Output"),
         "frequency_hz": QCoreApplication.translate("Discrepancy", "Frequency"),
     }
-    return words.get(key, key)
+
+
+def plain_words(text: str) -> str:
+    """A sentence of the engine with names for the keys of regressors in it."""
+    names = {key: name for key, name in _regressors().items() if "_" in key}
+    words = (names[one].lower() if one in names else one for one in text.split(" "))
+    text = " ".join(words)
+    return text[:1].upper() + text[1:]
 
 
 def unit_words(unit: str) -> str:
     """A unit as it is printed."""
-    text = {"deg": "°", "arcsec": "″"}.get(unit, unit)
-    for plain, printed in (("degC", "°C"), ("deg/s", "°/s"), ("^2", "²"), ("^3", "³")):
+    text = {"deg": "°", "arcsec": "″", "us": "µs"}.get(unit, unit)
+    for plain, printed in _PRINTED:
         text = text.replace(plain, printed)
     return text
 
@@ -100,13 +133,31 @@ def fitted_words(each: Fitted) -> str:
     name, unit = each.name.replace("_", " "), unit_words(each.unit)
     if each.u != each.u:
         return f"{name} {each.value:.5g} {unit}".rstrip().replace("-", MINUS)
+    if 0.0 < abs(each.value) < _SMALL:
+        # One power of ten for both, as in 2.987 ± 0.023: zeros in front tell nothing.
+        power = math.floor(math.log10(abs(each.value)))
+        value, u = value_and_uncertainty(each.value / 10.0**power, each.u / 10.0**power)
+        digits = str(power).replace("-", MINUS).translate(_RAISED)
+        return f"{name} = ({value} ± {u})·10{digits} {unit}".rstrip()
     value, u = value_and_uncertainty(each.value, each.u)
     return f"{name} = {value} ± {u} {unit}".rstrip()
 
 
-def numbers_words(candidate: Candidate) -> str:
-    """The numbers of a candidate in one line."""
-    return ", ".join(fitted_words(each) for each in candidate.parameters)
+def numbers_of(parameters: Sequence[Fitted], seconds: FloatArray) -> tuple[str, ...]:
+    """All numbers of an effect in words.
+
+    Parameters
+    ----------
+    seconds : of the blocks of a record, whose numbers nobody knows; empty for other runs
+    """
+    return tuple(
+        fitted_words(
+            Fitted("from", float(seconds[int(each.value) - 1]), each.u, "s")
+            if each.name == _FROM and 1 <= each.value <= len(seconds)
+            else each
+        )
+        for each in parameters
+    )
 
 
 def summary_words(told: Explanation) -> str:
@@ -116,11 +167,7 @@ def summary_words(told: Explanation) -> str:
     ).format(before=fixed(told.before.gap, 2), after=fixed(told.after.gap, 2))
     named = "; ".join(_either(step) for step in told.steps)
     words = {
-        "adequate": QCoreApplication.translate(
-            "Discrepancy",
-            "No effect stands out of the noise. The last page tells how small an effect these rows"
-            " could have shown.",
-        ),
+        "adequate": QCoreApplication.translate("Discrepancy", "No effect stands out of the noise."),
         "explained": QCoreApplication.translate("Discrepancy", "{named}. {closing}"),
         "data_fault": QCoreApplication.translate("Discrepancy", "{named}. {closing}"),
         "ambiguous": QCoreApplication.translate("Discrepancy", "{named}. {closing}"),

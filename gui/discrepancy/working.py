@@ -14,7 +14,7 @@ from core.errors import FitError, FormatError, RankDeficient
 from core.model.catalogue.listing import CATALOGUE
 from core.model.effect import Kind
 from core.procedures.thermal.joined import joined
-from core.records.series_run import record_run
+from core.records.series_run import sampled_run, with_first
 from core.samples.run import Run
 from drivers.series import read_series
 from gui.discrepancy.record_steps import place_of, with_steps
@@ -41,6 +41,7 @@ class Story:
     proposed : the explanation with all that was found; None while nothing was looked for
     found : its ladder
     known : of a record, which is explained as a whole: the explanation before Find shows it
+    outputs : of a record, which is compared output by output: all that there are
     """
 
     run: Run
@@ -50,12 +51,23 @@ class Story:
     found: Ladder | None = None
     proposed: Explanation | None = None
     known: Explanation | None = None
+    outputs: tuple[str, ...] = ()
 
     @property
     def able(self) -> bool:
         """Whether there is anything to look for."""
         judged = self.told if self.known is None else self.known
         return judged.verdict != "not_enough_data"
+
+    @property
+    def seconds(self) -> FloatArray:
+        """When the blocks of a record were; empty for other runs, whose rows are counted."""
+        told = self.told
+        if self.run.test == RECORD:
+            for one in told.where:
+                if one.regressor == "t_s" and len(one.x) == len(told.measured):
+                    return one.x
+        return np.zeros(0)
 
     @property
     def proposals(self) -> tuple[Step, ...]:
@@ -106,8 +118,15 @@ def opened(
     device: str | None = None,
     mounts: Sequence[str] | None = None,
     sensor: str | None = None,
+    output: str = "",
 ) -> Story | Choice:
     """Read files of one unit and compare them with the plain model.
+
+    Parameters
+    ----------
+    tell : told which part of the work begins
+    device, mounts, sensor : what a file does not say or leaves to choose
+    output : name of the output of a record; its first where it is empty
 
     Raises
     ------
@@ -118,10 +137,12 @@ def opened(
     """
     tell("reading")
     runs: list[Run] = []
+    outputs: tuple[str, ...] = ()
     for path in paths:
-        run = _read(path, device, mounts, sensor)
-        if isinstance(run, Choice):
-            return run
+        read = _read(path, device, mounts, sensor, output)
+        if isinstance(read, Choice):
+            return read
+        run, outputs = read
         runs.append(run)
     if any(run.test == RECORD for run in runs) and len(runs) > 1:
         raise FitError("a record is compared by itself: open one file at a time")
@@ -129,7 +150,8 @@ def opened(
     tell("floor")
     if whole.test == RECORD:
         known = explain(whole, settings)
-        return Story(whole, tuple(paths), None, with_steps(known, 0), known=known)
+        plain = with_steps(known, 0)
+        return Story(whole, tuple(paths), None, plain, known=known, outputs=outputs)
     try:
         ladder = Ladder.of(whole, settings)
     except RankDeficient:
@@ -193,17 +215,33 @@ def left_over(story: Story, y: FloatArray, *, after: bool) -> FloatArray:
 
 
 def _read(
-    path: Path, device: str | None, mounts: Sequence[str] | None, sensor: str | None
-) -> Run | Choice:
+    path: Path,
+    device: str | None,
+    mounts: Sequence[str] | None,
+    sensor: str | None,
+    output: str,
+) -> tuple[Run, tuple[str, ...]] | Choice:
+    """A run, and of a record the outputs that it could be compared by."""
     try:
-        return load(path, device, mounts, sensor)
+        run = load(path, device, mounts, sensor)
     except FormatError as no_positions:
         if path.is_dir():
             raise
         try:
-            return record_run(read_series(path), sensor=sensor or "")
+            series = read_series(path)
+            outputs = tuple(
+                channel.name
+                for channel in series.channels
+                if channel.role.startswith(("rate.", "acc."))
+            )
+            return sampled_run(series, output, sensor or ""), outputs
         except (FormatError, FitError) as no_record:
             raise (no_positions if path.suffix == ".txt" else no_record) from no_record
+    if isinstance(run, Choice):
+        return run
+    if run.test != RECORD:
+        return run, ()
+    return (with_first(run, output) if output else run), run.channels
 
 
 def in_one(runs: Sequence[Run]) -> Run:

@@ -1758,6 +1758,24 @@
         </message>
     </context>
     <context>
+        <name>ExportFoot</name>
+        <message>
+            <location filename="../../gui/widgets/export_foot.py" />
+            <source>Export format</source>
+            <translation>Формат экспорта</translation>
+        </message>
+        <message>
+            <location filename="../../gui/widgets/export_foot.py" />
+            <source>File of the export</source>
+            <translation>Файл экспорта</translation>
+        </message>
+        <message>
+            <location filename="../../gui/widgets/export_foot.py" />
+            <source>Export</source>
+            <translation>Экспорт</translation>
+        </message>
+    </context>
+    <context>
         <name>FieldForm</name>
         <message>
             <location filename="../../gui/frames/field_form_view.py" />
@@ -1861,6 +1879,11 @@
             <location filename="../../gui/discrepancy/findings_view.py" />
             <source>Open this plan</source>
             <translation>Открыть этот план</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/findings_view.py" />
+            <source>From which size on these rows name an effect</source>
+            <translation>С какой величины эти строки называют эффект</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/findings_view.py" />
@@ -2726,6 +2749,14 @@
         </message>
     </context>
     <context>
+        <name>OverviewView</name>
+        <message>
+            <location filename="../../gui/discrepancy/overview_view.py" />
+            <source>times the noise floor; 1 is the best</source>
+            <translation>уровней шума; лучше всего — 1</translation>
+        </message>
+    </context>
+    <context>
         <name>PlanView</name>
         <message>
             <location filename="../../gui/advisor/plan_view.py" />
@@ -3232,21 +3263,6 @@
             <location filename="../../gui/measuring/results_view.py" />
             <source>Calibrate by the plain model again</source>
             <translation>Калибровать снова по простой модели</translation>
-        </message>
-        <message>
-            <location filename="../../gui/measuring/results_view.py" />
-            <source>Export format</source>
-            <translation>Формат экспорта</translation>
-        </message>
-        <message>
-            <location filename="../../gui/measuring/results_view.py" />
-            <source>File of the export</source>
-            <translation>Файл экспорта</translation>
-        </message>
-        <message>
-            <location filename="../../gui/measuring/results_view.py" />
-            <source>Export</source>
-            <translation>Экспорт</translation>
         </message>
     </context>
     <context>
@@ -4350,21 +4366,6 @@
             <translation>Таблицы, CSV (1,5; …)</translation>
         </message>
         <message>
-            <location filename="../../gui/archive/exporting.py" />
-            <source>The file cannot be written</source>
-            <translation>Файл невозможно записать</translation>
-        </message>
-        <message>
-            <location filename="../../gui/archive/exporting.py" />
-            <source>Close it where it is open, or choose another folder.</source>
-            <translation>Закройте его там, где он открыт, или выберите другую папку.</translation>
-        </message>
-        <message>
-            <location filename="../../gui/archive/exporting.py" />
-            <source>Written: {path}</source>
-            <translation>Записано: {path}</translation>
-        </message>
-        <message>
             <location filename="../../gui/archive/failures.py" />
             <source>The sessions are untouched. When the cause is gone press Refresh (Ctrl+R).</source>
             <translation>Сеансы не затронуты. Когда причина устранена, нажмите «Обновить» (Ctrl+R).</translation>
@@ -4694,16 +4695,6 @@ Every session and calibration of the folder of sessions comes here by itself. Im
             <translation>Таблица, CSV с десятичной запятой</translation>
         </message>
         <message>
-            <location filename="../../gui/comparison/page.py" />
-            <source>Not exported</source>
-            <translation>Не экспортировано</translation>
-        </message>
-        <message>
-            <location filename="../../gui/comparison/page.py" />
-            <source>Exported</source>
-            <translation>Экспортировано</translation>
-        </message>
-        <message>
             <location filename="../../gui/comparison/presenter.py" />
             <source>Add calibrations of gyros, runs on the rate table or on the head, and the coefficients that the Allan tab exports. Files of one unit share a column: give them the same name.</source>
             <translation>Добавьте калибровки гироскопов, серии на поворотном столе или на головке и коэффициенты, которые экспортирует вкладка Аллана. Файлы одного изделия делят столбец: дайте им одно имя.</translation>
@@ -4925,8 +4916,33 @@ Every session and calibration of the folder of sessions comes here by itself. Im
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
+            <source>Fits these rows as well: {names}</source>
+            <translation>К этим строкам так же подходит: {names}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/cards.py" />
+            <source>{number}. A fault of the data</source>
+            <translation>{number}. Порок данных</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/cards.py" />
+            <source>{number}. No effect explains this</source>
+            <translation>{number}. Ни один эффект этого не объясняет</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/cards.py" />
+            <source>{number}. The best name, or something outside the catalogue</source>
+            <translation>{number}. Лучшее название или что-то вне каталога</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/cards.py" />
             <source>{number}. These cannot be told apart yet</source>
             <translation>{number}. Эти пока не различить</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/cards.py" />
+            <source>{number}. A term of the noise</source>
+            <translation>{number}. Составляющая шума</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
@@ -4950,8 +4966,58 @@ Every session and calibration of the folder of sessions comes here by itself. Im
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
+            <source>{count} rates, {minutes} min</source>
+            <translation>скоростей: {count}, {minutes} мин</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/cards.py" />
             <source>{why}. Tells apart: {names}.</source>
             <translation>{why}. Различает: {names}.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/certainty.py" />
+            <source>a fault of the data, counted in them</source>
+            <translation>порок данных, посчитан в них</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/certainty.py" />
+            <source>no effect of the catalogue fits</source>
+            <translation>ни один эффект каталога не подходит</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/certainty.py" />
+            <source>at the best roughly: {names}</source>
+            <translation>разве что приблизительно: {names}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/certainty.py" />
+            <source>a term of the noise, no fault</source>
+            <translation>составляющая шума, не неисправность</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/certainty.py" />
+            <source>no other name fits</source>
+            <translation>никакое другое название не подходит</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/certainty.py" />
+            <source>or something outside the catalogue</source>
+            <translation>или что-то вне каталога</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/certainty.py" />
+            <source>or {names}, or something outside the catalogue</source>
+            <translation>или {names}, или что-то вне каталога</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/certainty.py" />
+            <source>or {names}</source>
+            <translation>или {names}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/certainty.py" />
+            <source>{names} · {count} more</source>
+            <translation>{names} · ещё {count}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/exporting.py" />
@@ -4972,6 +5038,16 @@ Every session and calibration of the folder of sessions comes here by itself. Im
             <location filename="../../gui/discrepancy/exporting.py" />
             <source>Model, JSON</source>
             <translation>Модель, JSON</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/exporting.py" />
+            <source>Not exported</source>
+            <translation>Не экспортировано</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/exporting.py" />
+            <source>Exported</source>
+            <translation>Экспортировано</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/follow_up.py" />
@@ -5002,11 +5078,6 @@ Every session and calibration of the folder of sessions comes here by itself. Im
             <location filename="../../gui/discrepancy/ladder_rows.py" />
             <source>{sigmas} σ at {value}</source>
             <translation>{sigmas} σ при {value}</translation>
-        </message>
-        <message>
-            <location filename="../../gui/discrepancy/ladder_rows.py" />
-            <source>or {names}</source>
-            <translation>или {names}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/ladder_rows.py" />
@@ -5044,6 +5115,91 @@ Every session and calibration of the folder of sessions comes here by itself. Im
             <translation>уровень шума {size} {unit}, {source}</translation>
         </message>
         <message>
+            <location filename="../../gui/discrepancy/overview.py" />
+            <source>{device}: {rows} samples</source>
+            <translation>{device}: отсчётов {rows}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/overview.py" />
+            <source>{device}: {rows} rows</source>
+            <translation>{device}: строк {rows}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/overview.py" />
+            <source>{device}: {rows} rows × {count} outputs</source>
+            <translation>{device}: строк {rows} × выходов {count}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/overview.py" />
+            <source>Look at the residuals, and answer on the page Practice.</source>
+            <translation>Посмотрите остатки и ответьте на странице «Тренировка».</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/overview.py" />
+            <source>Record for longer.</source>
+            <translation>Записывайте дольше.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/overview.py" />
+            <source>Measure more positions, and each twice; then load both files together.</source>
+            <translation>Измерьте больше положений, каждое дважды; затем загрузите оба файла вместе.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/overview.py" />
+            <source>Find (Space) looks for the reason.</source>
+            <translation>«Найти» (Space) ищет причину.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/overview.py" />
+            <source>Find (Space) looks closer.</source>
+            <translation>«Найти» (Space) присматривается внимательнее.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/overview.py" />
+            <source>Nothing to add. “What can be seen” tells how small an effect would have been named.</source>
+            <translation>Добавлять нечего. «Что можно увидеть» говорит, какой малый эффект был бы назван.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/overview.py" />
+            <source>Measure once more: noise goes another way then, a cause does not.</source>
+            <translation>Измерьте ещё раз: шум тогда пойдёт иначе, причина — нет.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/overview.py" />
+            <source>Measure next: {title}, {minutes} min; it decides with {chance} %. Then load both files together.</source>
+            <translation>Измерьте далее: {title}, {minutes} мин; решит на {chance} %. Затем загрузите оба файла вместе.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/overview.py" />
+            <source>Record next: {title}, {minutes} min; it decides with {chance} %.</source>
+            <translation>Запишите далее: {title}, {minutes} мин; решит на {chance} %.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/overview.py" />
+            <source>Look at rig and sensor where the curve is largest, and measure more densely there.</source>
+            <translation>Осмотрите стенд и датчик там, где кривая наибольшая, и измерьте там гуще.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/overview.py" />
+            <source>No series that was tried would decide; only knowledge from elsewhere can.</source>
+            <translation>Ни одна из проверенных серий не решила бы; может лишь знание из другого источника.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/overview.py" />
+            <source>Add to Model (Ctrl+Return); a new series then confirms the name.</source>
+            <translation>«В модель» (Ctrl+Return); название затем подтвердит новая серия.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/overview.py" />
+            <source>Report (Ctrl+E); a second record confirms the name.</source>
+            <translation>«Отчёт» (Ctrl+E); название подтвердит вторая запись.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/overview.py" />
+            <source>Use in Calibration (F7); a new series with other angles or order confirms the name.</source>
+            <translation>«В калибровку» (F7); название подтвердит новая серия с другими углами или порядком.</translation>
+        </message>
+        <message>
             <location filename="../../gui/discrepancy/picture.py" />
             <source>What the effects so far leave against {name}: largest {place}</source>
             <translation>Что оставляют добавленные эффекты по {name}: наибольшее {place}</translation>
@@ -5067,15 +5223,6 @@ Every session and calibration of the folder of sessions comes here by itself. Im
             <location filename="../../gui/discrepancy/presenter.py" />
             <source>Model and data cannot be compared</source>
             <translation>Модель и данные невозможно сравнить</translation>
-        </message>
-        <message>
-            <location filename="../../gui/discrepancy/presenter.py" />
-            <source>Load Data (Ctrl+O) takes a session's folder, run files or text files of the old programs; several of one unit are compared as one run.
-
-Find (Space) then looks for what the model lacks, names it, and says how sure that is; or press “Find out why” on a page of results.</source>
-            <translation>«Загрузить данные» (Ctrl+O) берёт папку сеанса, файлы серий или текстовые файлы старых программ; несколько файлов одного изделия сравниваются как одна серия.
-
-«Найти» (Space) ищет, чего недостаёт модели, называет это и говорит, насколько это достоверно; или нажмите «Выяснить почему» на странице результатов.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/report.py" />
@@ -5274,23 +5421,8 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
-            <source>Its gap is {gap} noise floors; what is behind it is yours to name.</source>
-            <translation>Его расхождение {gap} уровней шума; что за ним стоит, назовите вы.</translation>
-        </message>
-        <message>
-            <location filename="../../gui/discrepancy/scene.py" />
-            <source>Its gap is {gap} noise floors. Find (Space) looks for the reason.</source>
-            <translation>Её расхождение {gap} уровней шума. «Найти» (Space) ищет причину.</translation>
-        </message>
-        <message>
-            <location filename="../../gui/discrepancy/scene.py" />
             <source>The plain model is rejected</source>
             <translation>Простая модель отвергнута</translation>
-        </message>
-        <message>
-            <location filename="../../gui/discrepancy/scene.py" />
-            <source>Its gap is {gap} noise floors. Find (Space) looks closer.</source>
-            <translation>Её расхождение {gap} уровней шума. «Найти» (Space) присмотрится ближе.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
@@ -5316,6 +5448,19 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
             <location filename="../../gui/discrepancy/scene.py" />
             <source>{alone} effects by themselves, {tied} only together with others, {hidden} not at all; for usual sensors on a usual head or table.</source>
             <translation>Эффектов отдельно: {alone}, только вместе с другими: {tied}, совсем нет: {hidden}; для обычных датчиков на обычной головке или столе.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/scene.py" />
+            <source>Load Data (Ctrl+O) takes a session's folder, run files, records or text files of the old programs; several of one unit are compared as one run.
+
+Find (Space) then looks for what the model lacks, names it, and says how sure that is; or press “Model vs data” on a page of results.
+
+Practice (F8) hides something in rows of the simulated rig, for you to name.</source>
+            <translation>«Загрузить данные» (Ctrl+O) берёт папку сеанса, файлы измерений, записи или текстовые файлы старых программ; несколько файлов одного изделия сравниваются как одно измерение.
+
+«Найти» (Space) затем ищет, чего не хватает модели, называет это и говорит, насколько это надёжно; или нажмите «Модель и данные» на странице результатов.
+
+«Тренировка» (F8) прячет что-нибудь в строках имитированного стенда, чтобы назвали вы.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
@@ -5454,6 +5599,16 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         </message>
         <message>
             <location filename="../../gui/discrepancy/words.py" />
+            <source>Model and data agree now</source>
+            <translation>Модель и данные теперь согласуются</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/words.py" />
+            <source>They agree now; several names fit</source>
+            <translation>Теперь согласуются; подходит несколько названий</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/words.py" />
             <source>Head angle</source>
             <translation>Угол головки</translation>
         </message>
@@ -5544,8 +5699,8 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         </message>
         <message>
             <location filename="../../gui/discrepancy/words.py" />
-            <source>No effect stands out of the noise. The last page tells how small an effect these rows could have shown.</source>
-            <translation>Ни один эффект не выделяется из шума. Последняя страница говорит, насколько малый эффект могли бы показать эти строки.</translation>
+            <source>No effect stands out of the noise.</source>
+            <translation>Ни один эффект не выступает из шума.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/words.py" />
@@ -5709,6 +5864,11 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         </message>
         <message>
             <location filename="../../gui/drift/presenter.py" />
+            <source>Simulated gyro</source>
+            <translation>Симулированный гироскоп</translation>
+        </message>
+        <message>
+            <location filename="../../gui/drift/presenter.py" />
             <source>is being read …</source>
             <translation>читается …</translation>
         </message>
@@ -5785,11 +5945,6 @@ Simulated turn-ons (F6) shows the tab on a made-up gyro.</source>
             <translation>«Добавить включения» (Ctrl+O) читает записи, начавшиеся с включения: записи программы, файлы CVGCom, файлы серий, столбцы чисел. Около пяти при каждой температуре, с перерывом не менее 5 минут, чтобы изделие остыло.
 
 «Симуляция» (F6) показывает вкладку на вымышленном гироскопе.</translation>
-        </message>
-        <message>
-            <location filename="../../gui/drift/presenter.py" />
-            <source>Simulated gyro</source>
-            <translation>Симулированный гироскоп</translation>
         </message>
         <message>
             <location filename="../../gui/drift/texts.py" />
@@ -6781,6 +6936,11 @@ State the noise of the gyro at the left, or take it from a record, to see how lo
         </message>
         <message>
             <location filename="../../gui/thermal/presenter.py" />
+            <source>Simulated cycle</source>
+            <translation>Симуляция</translation>
+        </message>
+        <message>
+            <location filename="../../gui/thermal/presenter.py" />
             <source>{rows} rows</source>
             <translation>строк: {rows}</translation>
         </message>
@@ -6798,11 +6958,6 @@ State the noise of the gyro at the left, or take it from a record, to see how lo
             <location filename="../../gui/thermal/presenter.py" />
             <source>Add Files</source>
             <translation>Добавить файлы</translation>
-        </message>
-        <message>
-            <location filename="../../gui/thermal/presenter.py" />
-            <source>Simulated cycle</source>
-            <translation>Симуляция</translation>
         </message>
         <message>
             <location filename="../../gui/thermal/presenter.py" />
@@ -8086,14 +8241,14 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
             <translation>{folder}: тысяча планов названа {stem}; уберите часть</translation>
         </message>
         <message>
-            <location filename="../../gui/discrepancy/presenter.py" />
-            <source>sensor {name}</source>
-            <translation>датчик {name}</translation>
-        </message>
-        <message>
             <location filename="../../gui/discrepancy/record_steps.py" />
             <source>a record is explained as a whole: {effect} was not found beside the other effects, and only what was found is added to it</source>
             <translation>запись объясняется целиком: {effect} рядом с другими эффектами не найден, а добавляется к ней только найденное</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/scene.py" />
+            <source>sensor {name}</source>
+            <translation>датчик {name}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial.py" />
@@ -10613,6 +10768,16 @@ Without a command the window opens.</translation>
             <location filename="../../core/discrepancy/advise.py" />
             <source>{why}; tells apart {join}</source>
             <translation>{why}; различает {join}</translation>
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/followups.py" />
+            <source>Where they differ most, {len} positions</source>
+            <translation>Где они различаются больше всего, положений: {len}</translation>
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/followups.py" />
+            <source>angles at which the tied effects read most differently, in mixed order</source>
+            <translation>углы, при которых связанные эффекты читаются наиболее различно, в смешанном порядке</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/followups.py" />

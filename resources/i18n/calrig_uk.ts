@@ -1758,6 +1758,24 @@
         </message>
     </context>
     <context>
+        <name>ExportFoot</name>
+        <message>
+            <location filename="../../gui/widgets/export_foot.py" />
+            <source>Export format</source>
+            <translation>Формат експорту</translation>
+        </message>
+        <message>
+            <location filename="../../gui/widgets/export_foot.py" />
+            <source>File of the export</source>
+            <translation>Файл експорту</translation>
+        </message>
+        <message>
+            <location filename="../../gui/widgets/export_foot.py" />
+            <source>Export</source>
+            <translation>Експорт</translation>
+        </message>
+    </context>
+    <context>
         <name>FieldForm</name>
         <message>
             <location filename="../../gui/frames/field_form_view.py" />
@@ -1861,6 +1879,11 @@
             <location filename="../../gui/discrepancy/findings_view.py" />
             <source>Open this plan</source>
             <translation>Відкрити цей план</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/findings_view.py" />
+            <source>From which size on these rows name an effect</source>
+            <translation>Від якої величини ці рядки називають ефект</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/findings_view.py" />
@@ -2726,6 +2749,14 @@
         </message>
     </context>
     <context>
+        <name>OverviewView</name>
+        <message>
+            <location filename="../../gui/discrepancy/overview_view.py" />
+            <source>times the noise floor; 1 is the best</source>
+            <translation>рівнів шуму; найкраще — 1</translation>
+        </message>
+    </context>
+    <context>
         <name>PlanView</name>
         <message>
             <location filename="../../gui/advisor/plan_view.py" />
@@ -3232,21 +3263,6 @@
             <location filename="../../gui/measuring/results_view.py" />
             <source>Calibrate by the plain model again</source>
             <translation>Калібрувати знову за простою моделлю</translation>
-        </message>
-        <message>
-            <location filename="../../gui/measuring/results_view.py" />
-            <source>Export format</source>
-            <translation>Формат експорту</translation>
-        </message>
-        <message>
-            <location filename="../../gui/measuring/results_view.py" />
-            <source>File of the export</source>
-            <translation>Файл експорту</translation>
-        </message>
-        <message>
-            <location filename="../../gui/measuring/results_view.py" />
-            <source>Export</source>
-            <translation>Експорт</translation>
         </message>
     </context>
     <context>
@@ -4350,21 +4366,6 @@
             <translation>Таблиці, CSV (1,5; …)</translation>
         </message>
         <message>
-            <location filename="../../gui/archive/exporting.py" />
-            <source>The file cannot be written</source>
-            <translation>Файл неможливо записати</translation>
-        </message>
-        <message>
-            <location filename="../../gui/archive/exporting.py" />
-            <source>Close it where it is open, or choose another folder.</source>
-            <translation>Закрийте його там, де він відкритий, або виберіть іншу теку.</translation>
-        </message>
-        <message>
-            <location filename="../../gui/archive/exporting.py" />
-            <source>Written: {path}</source>
-            <translation>Записано: {path}</translation>
-        </message>
-        <message>
             <location filename="../../gui/archive/failures.py" />
             <source>The sessions are untouched. When the cause is gone press Refresh (Ctrl+R).</source>
             <translation>Сеанси не зачеплено. Коли причину усунуто, натисніть «Оновити» (Ctrl+R).</translation>
@@ -4694,16 +4695,6 @@ Every session and calibration of the folder of sessions comes here by itself. Im
             <translation>Таблиця, CSV з десятковою комою</translation>
         </message>
         <message>
-            <location filename="../../gui/comparison/page.py" />
-            <source>Not exported</source>
-            <translation>Не експортовано</translation>
-        </message>
-        <message>
-            <location filename="../../gui/comparison/page.py" />
-            <source>Exported</source>
-            <translation>Експортовано</translation>
-        </message>
-        <message>
             <location filename="../../gui/comparison/presenter.py" />
             <source>Add calibrations of gyros, runs on the rate table or on the head, and the coefficients that the Allan tab exports. Files of one unit share a column: give them the same name.</source>
             <translation>Додайте калібрування гіроскопів, серії на поворотному стенді або на головці та коефіцієнти, які експортує вкладка Аллана. Файли одного виробу ділять стовпець: дайте їм однакову назву.</translation>
@@ -4925,8 +4916,33 @@ Every session and calibration of the folder of sessions comes here by itself. Im
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
+            <source>Fits these rows as well: {names}</source>
+            <translation>До цих рядків так само підходить: {names}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/cards.py" />
+            <source>{number}. A fault of the data</source>
+            <translation>{number}. Вада даних</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/cards.py" />
+            <source>{number}. No effect explains this</source>
+            <translation>{number}. Жоден ефект цього не пояснює</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/cards.py" />
+            <source>{number}. The best name, or something outside the catalogue</source>
+            <translation>{number}. Найкраща назва або щось поза каталогом</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/cards.py" />
             <source>{number}. These cannot be told apart yet</source>
             <translation>{number}. Ці поки не розрізнити</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/cards.py" />
+            <source>{number}. A term of the noise</source>
+            <translation>{number}. Складова шуму</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
@@ -4950,8 +4966,58 @@ Every session and calibration of the folder of sessions comes here by itself. Im
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
+            <source>{count} rates, {minutes} min</source>
+            <translation>швидкостей: {count}, {minutes} хв</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/cards.py" />
             <source>{why}. Tells apart: {names}.</source>
             <translation>{why}. Розрізняє: {names}.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/certainty.py" />
+            <source>a fault of the data, counted in them</source>
+            <translation>вада даних, порахована в них</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/certainty.py" />
+            <source>no effect of the catalogue fits</source>
+            <translation>жоден ефект каталогу не підходить</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/certainty.py" />
+            <source>at the best roughly: {names}</source>
+            <translation>хіба що приблизно: {names}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/certainty.py" />
+            <source>a term of the noise, no fault</source>
+            <translation>складова шуму, не несправність</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/certainty.py" />
+            <source>no other name fits</source>
+            <translation>жодна інша назва не підходить</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/certainty.py" />
+            <source>or something outside the catalogue</source>
+            <translation>або щось поза каталогом</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/certainty.py" />
+            <source>or {names}, or something outside the catalogue</source>
+            <translation>або {names}, або щось поза каталогом</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/certainty.py" />
+            <source>or {names}</source>
+            <translation>або {names}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/certainty.py" />
+            <source>{names} · {count} more</source>
+            <translation>{names} · ще {count}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/exporting.py" />
@@ -4972,6 +5038,16 @@ Every session and calibration of the folder of sessions comes here by itself. Im
             <location filename="../../gui/discrepancy/exporting.py" />
             <source>Model, JSON</source>
             <translation>Модель, JSON</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/exporting.py" />
+            <source>Not exported</source>
+            <translation>Не експортовано</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/exporting.py" />
+            <source>Exported</source>
+            <translation>Експортовано</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/follow_up.py" />
@@ -5002,11 +5078,6 @@ Every session and calibration of the folder of sessions comes here by itself. Im
             <location filename="../../gui/discrepancy/ladder_rows.py" />
             <source>{sigmas} σ at {value}</source>
             <translation>{sigmas} σ при {value}</translation>
-        </message>
-        <message>
-            <location filename="../../gui/discrepancy/ladder_rows.py" />
-            <source>or {names}</source>
-            <translation>або {names}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/ladder_rows.py" />
@@ -5044,6 +5115,91 @@ Every session and calibration of the folder of sessions comes here by itself. Im
             <translation>рівень шуму {size} {unit}, {source}</translation>
         </message>
         <message>
+            <location filename="../../gui/discrepancy/overview.py" />
+            <source>{device}: {rows} samples</source>
+            <translation>{device}: відліків {rows}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/overview.py" />
+            <source>{device}: {rows} rows</source>
+            <translation>{device}: рядків {rows}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/overview.py" />
+            <source>{device}: {rows} rows × {count} outputs</source>
+            <translation>{device}: рядків {rows} × виходів {count}</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/overview.py" />
+            <source>Look at the residuals, and answer on the page Practice.</source>
+            <translation>Перегляньте залишки й дайте відповідь на сторінці «Вправа».</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/overview.py" />
+            <source>Record for longer.</source>
+            <translation>Записуйте довше.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/overview.py" />
+            <source>Measure more positions, and each twice; then load both files together.</source>
+            <translation>Виміряйте більше положень, кожне двічі; потім завантажте обидва файли разом.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/overview.py" />
+            <source>Find (Space) looks for the reason.</source>
+            <translation>«Знайти» (Space) шукає причину.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/overview.py" />
+            <source>Find (Space) looks closer.</source>
+            <translation>«Знайти» (Space) придивляється пильніше.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/overview.py" />
+            <source>Nothing to add. “What can be seen” tells how small an effect would have been named.</source>
+            <translation>Додавати нічого. «Що можна побачити» каже, який малий ефект було б названо.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/overview.py" />
+            <source>Measure once more: noise goes another way then, a cause does not.</source>
+            <translation>Виміряйте ще раз: шум тоді піде інакше, причина — ні.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/overview.py" />
+            <source>Measure next: {title}, {minutes} min; it decides with {chance} %. Then load both files together.</source>
+            <translation>Виміряйте далі: {title}, {minutes} хв; вирішить на {chance} %. Потім завантажте обидва файли разом.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/overview.py" />
+            <source>Record next: {title}, {minutes} min; it decides with {chance} %.</source>
+            <translation>Запишіть далі: {title}, {minutes} хв; вирішить на {chance} %.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/overview.py" />
+            <source>Look at rig and sensor where the curve is largest, and measure more densely there.</source>
+            <translation>Огляньте стенд і давач там, де крива найбільша, і виміряйте там густіше.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/overview.py" />
+            <source>No series that was tried would decide; only knowledge from elsewhere can.</source>
+            <translation>Жодна з перевірених серій не вирішила б; може лише знання з іншого джерела.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/overview.py" />
+            <source>Add to Model (Ctrl+Return); a new series then confirms the name.</source>
+            <translation>«Додати до моделі» (Ctrl+Return); назву потім підтвердить нова серія.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/overview.py" />
+            <source>Report (Ctrl+E); a second record confirms the name.</source>
+            <translation>«Звіт» (Ctrl+E); назву підтвердить другий запис.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/overview.py" />
+            <source>Use in Calibration (F7); a new series with other angles or order confirms the name.</source>
+            <translation>«До калібрування» (F7); назву підтвердить нова серія з іншими кутами чи порядком.</translation>
+        </message>
+        <message>
             <location filename="../../gui/discrepancy/picture.py" />
             <source>What the effects so far leave against {name}: largest {place}</source>
             <translation>Що лишають додані ефекти за {name}: найбільше {place}</translation>
@@ -5067,15 +5223,6 @@ Every session and calibration of the folder of sessions comes here by itself. Im
             <location filename="../../gui/discrepancy/presenter.py" />
             <source>Model and data cannot be compared</source>
             <translation>Модель і дані неможливо порівняти</translation>
-        </message>
-        <message>
-            <location filename="../../gui/discrepancy/presenter.py" />
-            <source>Load Data (Ctrl+O) takes a session's folder, run files or text files of the old programs; several of one unit are compared as one run.
-
-Find (Space) then looks for what the model lacks, names it, and says how sure that is; or press “Find out why” on a page of results.</source>
-            <translation>«Завантажити дані» (Ctrl+O) бере теку сеансу, файли серій або текстові файли старих програм; кілька файлів одного виробу порівнюються як одна серія.
-
-«Знайти» (Space) шукає, чого бракує моделі, називає це і каже, наскільки це певно; або натисніть «З'ясувати чому» на сторінці результатів.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/report.py" />
@@ -5274,23 +5421,8 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
-            <source>Its gap is {gap} noise floors; what is behind it is yours to name.</source>
-            <translation>Його розбіжність {gap} рівнів шуму; що за нею стоїть, назвіть ви.</translation>
-        </message>
-        <message>
-            <location filename="../../gui/discrepancy/scene.py" />
-            <source>Its gap is {gap} noise floors. Find (Space) looks for the reason.</source>
-            <translation>Її розбіжність {gap} рівнів шуму. «Знайти» (Space) шукає причину.</translation>
-        </message>
-        <message>
-            <location filename="../../gui/discrepancy/scene.py" />
             <source>The plain model is rejected</source>
             <translation>Просту модель відхилено</translation>
-        </message>
-        <message>
-            <location filename="../../gui/discrepancy/scene.py" />
-            <source>Its gap is {gap} noise floors. Find (Space) looks closer.</source>
-            <translation>Її розбіжність {gap} рівнів шуму. «Знайти» (Space) придивиться ближче.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/scene.py" />
@@ -5316,6 +5448,19 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
             <location filename="../../gui/discrepancy/scene.py" />
             <source>{alone} effects by themselves, {tied} only together with others, {hidden} not at all; for usual sensors on a usual head or table.</source>
             <translation>Ефектів окремо: {alone}, лише разом з іншими: {tied}, зовсім ні: {hidden}; для звичайних датчиків на звичайній головці чи стенді.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/scene.py" />
+            <source>Load Data (Ctrl+O) takes a session's folder, run files, records or text files of the old programs; several of one unit are compared as one run.
+
+Find (Space) then looks for what the model lacks, names it, and says how sure that is; or press “Model vs data” on a page of results.
+
+Practice (F8) hides something in rows of the simulated rig, for you to name.</source>
+            <translation>«Завантажити дані» (Ctrl+O) бере теку сеансу, файли вимірювань, записи або текстові файли старих програм; кілька файлів одного виробу порівнюються як одне вимірювання.
+
+«Знайти» (Space) тоді шукає, чого бракує моделі, називає це і каже, наскільки це певно; або натисніть «Модель і дані» на сторінці результатів.
+
+«Вправа» (F8) ховає щось у рядках імітованого стенда, щоб назвали ви.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
@@ -5454,6 +5599,16 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         </message>
         <message>
             <location filename="../../gui/discrepancy/words.py" />
+            <source>Model and data agree now</source>
+            <translation>Модель і дані тепер збігаються</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/words.py" />
+            <source>They agree now; several names fit</source>
+            <translation>Тепер збігаються; підходить кілька назв</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/words.py" />
             <source>Head angle</source>
             <translation>Кут головки</translation>
         </message>
@@ -5544,8 +5699,8 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         </message>
         <message>
             <location filename="../../gui/discrepancy/words.py" />
-            <source>No effect stands out of the noise. The last page tells how small an effect these rows could have shown.</source>
-            <translation>Жоден ефект не виділяється з шуму. Остання сторінка каже, наскільки малий ефект могли б показати ці рядки.</translation>
+            <source>No effect stands out of the noise.</source>
+            <translation>Жоден ефект не виступає з шуму.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/words.py" />
@@ -5709,6 +5864,11 @@ Find (Space) then looks for what the model lacks, names it, and says how sure th
         </message>
         <message>
             <location filename="../../gui/drift/presenter.py" />
+            <source>Simulated gyro</source>
+            <translation>Симульований гіроскоп</translation>
+        </message>
+        <message>
+            <location filename="../../gui/drift/presenter.py" />
             <source>is being read …</source>
             <translation>читається…</translation>
         </message>
@@ -5785,11 +5945,6 @@ Simulated turn-ons (F6) shows the tab on a made-up gyro.</source>
             <translation>«Додати увімкнення» (Ctrl+O) читає записи, що почалися з увімкнення: записи програми, файли CVGCom, файли серій, стовпці чисел. Близько п'яти за кожної температури, з перервою щонайменше 5 хвилин, щоб виріб охолов.
 
 «Симульовані увімкнення» (F6) показує вкладку на вигаданому гіроскопі.</translation>
-        </message>
-        <message>
-            <location filename="../../gui/drift/presenter.py" />
-            <source>Simulated gyro</source>
-            <translation>Симульований гіроскоп</translation>
         </message>
         <message>
             <location filename="../../gui/drift/texts.py" />
@@ -6781,6 +6936,11 @@ State the noise of the gyro at the left, or take it from a record, to see how lo
         </message>
         <message>
             <location filename="../../gui/thermal/presenter.py" />
+            <source>Simulated cycle</source>
+            <translation>Симуляція</translation>
+        </message>
+        <message>
+            <location filename="../../gui/thermal/presenter.py" />
             <source>{rows} rows</source>
             <translation>рядків: {rows}</translation>
         </message>
@@ -6798,11 +6958,6 @@ State the noise of the gyro at the left, or take it from a record, to see how lo
             <location filename="../../gui/thermal/presenter.py" />
             <source>Add Files</source>
             <translation>Додати файли</translation>
-        </message>
-        <message>
-            <location filename="../../gui/thermal/presenter.py" />
-            <source>Simulated cycle</source>
-            <translation>Симуляція</translation>
         </message>
         <message>
             <location filename="../../gui/thermal/presenter.py" />
@@ -8086,14 +8241,14 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
             <translation>{folder}: тисяча планів має назву {stem}; приберіть частину</translation>
         </message>
         <message>
-            <location filename="../../gui/discrepancy/presenter.py" />
-            <source>sensor {name}</source>
-            <translation>датчик {name}</translation>
-        </message>
-        <message>
             <location filename="../../gui/discrepancy/record_steps.py" />
             <source>a record is explained as a whole: {effect} was not found beside the other effects, and only what was found is added to it</source>
             <translation>запис пояснюється в цілому: {effect} поруч з іншими ефектами не знайдено, а додається до нього лише знайдене</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/scene.py" />
+            <source>sensor {name}</source>
+            <translation>датчик {name}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial.py" />
@@ -10613,6 +10768,16 @@ Without a command the window opens.</translation>
             <location filename="../../core/discrepancy/advise.py" />
             <source>{why}; tells apart {join}</source>
             <translation>{why}; розрізняє {join}</translation>
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/followups.py" />
+            <source>Where they differ most, {len} positions</source>
+            <translation>Де вони різняться найбільше, положень: {len}</translation>
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/followups.py" />
+            <source>angles at which the tied effects read most differently, in mixed order</source>
+            <translation>кути, за яких пов'язані ефекти читаються найрізніше, у мішаному порядку</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/followups.py" />

@@ -100,6 +100,16 @@ def test_one_output_comes_with_all_other_channels_and_what_is_lost_stays_lost():
     assert sampled_run(one, "az").sensor == "accelerometer"
 
 
+def test_a_copy_of_the_output_is_no_cause_of_it():
+    rng = np.random.default_rng(3)
+    rate, warm = rng.standard_normal(N), 25.0 + 0.01 * rng.standard_normal(N)
+    columns = (rate, 0.5 + 2.0 * rate, rng.standard_normal(N), warm)
+    channels = (Channel("out", "V", "rate.z"), Channel("raw", "V"), Channel("drive", "V"), *CHIP)
+    run = sampled_run(Series("r.csv", "CVG", channels, columns, N, rate=10.0))
+    assert set(run.extra) == {"drive"}
+    assert np.array_equal(run.temperature_c, warm)
+
+
 def test_an_output_of_a_run_can_be_brought_to_the_front():
     run = record_run(series((*GYRO, *CHIP)))
     for name in ("gy", "y", "2"):

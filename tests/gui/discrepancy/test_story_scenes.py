@@ -11,8 +11,10 @@ from core.discrepancy.result import UNKNOWN
 from core.model.catalogue.listing import CATALOGUE
 from gui.discrepancy.cards import chosen_of, detail_of, following_of, grade_of, proposals_of
 from gui.discrepancy.cause_view import _PICTURES, KINDS
+from gui.discrepancy.certainty import certainty_words, tone_of
 from gui.discrepancy.exporting import model_document
 from gui.discrepancy.ladder_rows import regressors_of, rungs_of
+from gui.discrepancy.overview import advice_of, found_of, gaps_of
 from gui.discrepancy.picture import picture_of, where_of
 from gui.discrepancy.plots_view import stretches
 from gui.discrepancy.rerun import played
@@ -29,7 +31,9 @@ def test_the_ladder_falls_to_the_floor(story: Story):
     assert plain.gap > 4 > 1.3 > proposed.gap
     assert proposed.proposed
     assert not plain.proposed
-    assert "Head eccentricity" in proposed.doubt
+    assert "Head eccentricity" in proposed.certainty
+    assert proposed.tone is Tone.DOUBT
+    assert plain.certainty == ""
     whole = rungs_of(all_added(story))
     assert [rung.proposed for rung in whole] == [False, False]
 
@@ -130,10 +134,80 @@ def test_what_the_rows_can_show_is_graded(story: Story):
 def test_before_anything_was_looked_for_nothing_is_named(story: Story):
     verdict, summary, tone = judgement_of(story.told, None)
     assert "rejected" in verdict
-    assert "Find" in summary
+    assert summary == ""
     assert tone is Tone.DOUBT
-    verdict, summary, _ = judgement_of(story.told, story.proposed)
-    assert "Second-order nonlinearity K2 or Head eccentricity" in summary
+    bare = replace(story, proposed=None)
+    assert found_of(bare) == ()
+    assert "→" not in gaps_of(bare)
+    assert advice_of(bare, rejected=True, alone="").startswith("Find (Space)")
+
+
+def test_at_one_glance_verdict_gap_names_and_what_to_do(story: Story):
+    verdict, summary, tone = judgement_of(story.told, story.proposed)
+    assert (verdict, summary) == ("An effect is missing; several names fit", "")
+    assert tone is Tone.DOUBT
+    before, after = (float(part) for part in gaps_of(story).split(" → "))
+    assert before > 4 > 1.3 > after
+    (row,) = found_of(story)
+    assert row.name == "Second-order nonlinearity K2"
+    assert row.certainty == "or Head eccentricity"
+    assert not row.added
+    first = following_of(story)[0]
+    assert first.title in advice_of(story, rejected=True, alone="")
+    whole = all_added(story)
+    verdict, _, _ = judgement_of(whole.told, whole.proposed)
+    assert verdict == "They agree now; several names fit"
+    assert found_of(whole)[0].added
+
+
+def test_each_step_tells_how_sure_its_name_is(story: Story):
+    assert story.proposed is not None
+    step = replace(story.proposed.steps[0], indistinguishable_from=())
+    for changed, tone, words in (
+        (step, Tone.GOOD, "no other name fits"),
+        (
+            replace(step, indistinguishable_from=(UNKNOWN,)),
+            Tone.DOUBT,
+            "or something outside the catalogue",
+        ),
+        (
+            replace(step, indistinguishable_from=("head_eccentricity", UNKNOWN)),
+            Tone.DOUBT,
+            "or Head eccentricity, or something outside the catalogue",
+        ),
+        (replace(step, effect=UNKNOWN), Tone.BAD, "no effect of the catalogue fits"),
+        (replace(step, effect="outlier"), Tone.GOOD, "no other name fits"),
+        (replace(step, effect="dropouts"), Tone.BAD, "a fault of the data, counted in them"),
+        (replace(step, effect="rate_random_walk"), Tone.IDLE, "a term of the noise, no fault"),
+    ):
+        assert (tone_of(changed), certainty_words(changed)) == (tone, words)
+
+
+def test_names_that_fit_but_did_not_compete_stand_on_the_card(story: Story):
+    assert story.proposed is not None
+    step = story.proposed.steps[0]
+    wide = replace(
+        step, indistinguishable_from=(*step.indistinguishable_from, "settling_lag", "hysteresis")
+    )
+    (card,) = proposals_of(replace(story, proposed=replace(story.proposed, steps=(wide,))))
+    assert card.title == "1. These cannot be told apart yet"
+    assert card.same == "Fits these rows as well: Settling lag · Hysteresis"
+
+
+def test_advice_follows_the_verdict(story: Story):
+    assert story.proposed is not None
+
+    def told(verdict: str, **changes: object) -> str:
+        best = replace(story.proposed, verdict=verdict, next_measurements=(), **changes)
+        return advice_of(replace(story, proposed=best), rejected=True, alone="")
+
+    assert "What can be seen" in told("adequate", steps=())
+    assert "noise goes another way" in told("excess_noise", steps=())
+    assert "elsewhere" in told("ambiguous")
+    assert "more densely" in told("unexplained_structure")
+    assert "Ctrl+Return" in told("explained")
+    assert advice_of(story, rejected=True, alone="plan") == ""
+    assert "Practice" in advice_of(story, rejected=True, alone="case")
 
 
 def test_too_few_rows_are_told_and_nothing_else(story: Story):

@@ -1,0 +1,61 @@
+"""How sure the name of a step is: its sign, and words."""
+
+from PySide6.QtCore import QCoreApplication
+
+from core.discrepancy.result import UNKNOWN, Step
+from core.model.catalogue.listing import CATALOGUE
+from core.model.effect import Kind
+from gui.discrepancy.words import effect_words
+from gui.discrepancy.working import is_fact
+from gui.widgets.states import Tone
+
+_SHOWN = 3
+"""So many other names stand beside a step; more are counted."""
+
+
+def tone_of(step: Step) -> Tone:
+    """The sign: named alone, doubtful, nothing that is known, or noise that accuses nobody."""
+    if step.effect == UNKNOWN or is_fact(step):
+        return Tone.BAD
+    if step.indistinguishable_from:
+        return Tone.DOUBT
+    return Tone.IDLE if is_noise(step) else Tone.GOOD
+
+
+def certainty_words(step: Step) -> str:
+    """The same in words, with the other names that fit."""
+    if is_fact(step):
+        return QCoreApplication.translate("Discrepancy", "a fault of the data, counted in them")
+    names = [each for each in step.indistinguishable_from if each != UNKNOWN]
+    if step.effect == UNKNOWN:
+        if not names:
+            return QCoreApplication.translate("Discrepancy", "no effect of the catalogue fits")
+        template = QCoreApplication.translate("Discrepancy", "at the best roughly: {names}")
+        return template.format(names=_listed(names))
+    if not step.indistinguishable_from:
+        if is_noise(step):
+            return QCoreApplication.translate("Discrepancy", "a term of the noise, no fault")
+        return QCoreApplication.translate("Discrepancy", "no other name fits")
+    if not names:
+        return QCoreApplication.translate("Discrepancy", "or something outside the catalogue")
+    if UNKNOWN in step.indistinguishable_from:
+        template = QCoreApplication.translate(
+            "Discrepancy", "or {names}, or something outside the catalogue"
+        )
+        return template.format(names=_listed(names))
+    template = QCoreApplication.translate("Discrepancy", "or {names}")
+    return template.format(names=_listed(names))
+
+
+def is_noise(step: Step) -> bool:
+    """Whether a step is a term of the noise."""
+    return step.effect in CATALOGUE and CATALOGUE[step.effect].kind is Kind.NOISE
+
+
+def _listed(names: list[str]) -> str:
+    words = [effect_words(each) for each in names[:_SHOWN]]
+    listed = " · ".join(words)
+    if len(names) <= _SHOWN:
+        return listed
+    template = QCoreApplication.translate("Discrepancy", "{names} · {count} more")
+    return template.format(names=listed, count=len(names) - _SHOWN)
