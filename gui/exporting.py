@@ -11,7 +11,7 @@ from core.errors import LabError, Severity
 from core.records.atomic import make_folder
 from gui.jobs import Jobs
 from gui.messages import Messages
-from gui.widgets.findings_view import FindingsView
+from gui.widgets.export_foot import ExportFoot
 from gui.widgets.states import BannerState
 
 _PICTURES = ("svg", "png", "pdf")
@@ -89,31 +89,29 @@ class Exporting(QObject):
         self._folder = folder
         self._jobs = jobs
         self._messages = messages
-        self._view: FindingsView | None = None
-        self.chosen = formats[0].key
+        self._foot: ExportFoot | None = None
 
     @property
     def formats(self) -> tuple[tuple[str, str], ...]:
         """Keys and titles."""
         return tuple((key, one.title) for key, one in self._formats.items())
 
-    def serve(self, view: FindingsView) -> None:
-        """Offer the formats on a panel, and write what it asks for."""
-        self._view = view
-        view.set_formats(self.formats)
-        view.format_chosen.connect(self._on_format)
-        view.export_requested.connect(self.export)
+    def serve(self, foot: ExportFoot) -> None:
+        """Offer the formats under results, and write what is asked for there."""
+        self._foot = foot
+        foot.set_formats(self.formats)
+        foot.format_chosen.connect(self._on_format)
+        foot.export_requested.connect(self.export)
 
     def propose(self, key: str) -> str:
         """File name for a format, with its folder; empty while there are no results."""
-        self.chosen = key
         page = self._current()
         return "" if page is None else str(self._folder() / self._formats[key].name(page))
 
     def renew(self) -> None:
-        """Other results are on the page: put a name for them into the panel."""
-        if self._view is not None:
-            self._on_format(self._view.chosen_format)
+        """Other results are on the page: propose a name for them."""
+        if self._foot is not None:
+            self._on_format(self._foot.chosen_format)
 
     def export(self, key: str, name: str) -> None:
         """Write a format under a name; a name without a folder goes to the session's."""
@@ -140,8 +138,8 @@ class Exporting(QObject):
         self._messages.clear(self._source)
 
     def _on_format(self, key: str) -> None:
-        if self._view is not None:
-            self._view.show_name(self.propose(key))
+        if self._foot is not None:
+            self._foot.show_name(self.propose(key))
 
     def _on_done(self, path: object) -> None:
         self._messages.show(self._source, BannerState(Severity.INFO, "Exported", str(path)))

@@ -26,14 +26,13 @@ class AllanTab(AnalysisTab):
         )
         self.view = AllanView(self.presenter)
         self.exporting = export_under(
-            self.view.findings,
+            self.view.findings.foot,
             formats(self._draw),
             lambda: self.library.studies,
             services,
             self,
         )
         self.library.changed.connect(self.exporting.renew)
-        self.view.export_wanted.connect(self.view.findings.export)
 
     @property
     def widget(self) -> AllanView:

@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QEvent, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QColor, QIcon, QPixmap
 from PySide6.QtWidgets import (
     QFileDialog,
@@ -41,7 +41,6 @@ class AllanView(QWidget):
     presenter : what clicks call, and what is rendered
     """
 
-    export_wanted = Signal()
     """The action Export: the name in the field may need to be proposed first."""
 
     def __init__(self, presenter: AllanPresenter, parent: QWidget | None = None) -> None:
@@ -188,7 +187,7 @@ class AllanView(QWidget):
         if key == "add":
             self._open_dialog()
         elif key == "export":
-            self.export_wanted.emit()
+            self.findings.foot.export()
         else:
             self._presenter.act(key)
 

@@ -6,19 +6,19 @@ from typing import Any
 from gui.analysis.tab import AnalysisTab
 from gui.exporting import ExportFormat, Exporting
 from gui.services import Services
-from gui.widgets.findings_view import FindingsView
+from gui.widgets.export_foot import ExportFoot
 
 SOURCE = "export"
 
 
 def export_under(
-    findings: FindingsView,
+    foot: ExportFoot,
     formats: Sequence[ExportFormat],
     current: Callable[[], Any],
     services: Services,
     tab: AnalysisTab,
 ) -> Exporting:
-    """Offer formats under findings, and write what is asked for.
+    """Offer formats under results, and write what is asked for.
 
     Parameters
     ----------
@@ -28,5 +28,5 @@ def export_under(
     exporting = Exporting(
         SOURCE, formats, current, services.root, services.jobs, services.messages, tab
     )
-    exporting.serve(findings)
+    exporting.serve(foot)
     return exporting

@@ -38,7 +38,7 @@ class MethodPage(AnalysisTab):
         self.presenter, self.side, self.content = presenter, side, content
         self.widget = AnalysisPage(content, filters)
         self.exporting = export_under(
-            self.widget.findings, report_formats(drawn=drawn), self._report, services, self
+            self.widget.findings.foot, report_formats(drawn=drawn), self._report, services, self
         )
         self._named = ""
         side.decided.connect(presenter.decide)

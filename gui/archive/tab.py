@@ -1,17 +1,16 @@
 """The Archive tab put together."""
 
-from PySide6.QtCore import QObject
-
-from core.plans.plan import Plan, Step
-from gui.archive.exporting import Exporting
+from gui.analysis.tab import AnalysisTab
+from gui.archive.exporting import formats
 from gui.archive.library import Library
-from gui.archive.presenter import ArchivePresenter
+from gui.archive.presenter import SOURCE, ArchivePresenter
 from gui.archive.state import ArchiveState
 from gui.archive.view import ArchiveView
+from gui.exporting import Exporting
 from gui.services import Services
 
 
-class ArchiveTab(QObject):
+class ArchiveTab(AnalysisTab):
     """Presenter, view and what joins them."""
 
     def __init__(self, services: Services) -> None:
@@ -20,10 +19,16 @@ class ArchiveTab(QObject):
         self.library = Library(services.jobs, services.root, self)
         self.presenter = ArchivePresenter(self.library, services.messages, services.open_file, self)
         self.view = ArchiveView(self.presenter)
-        self.exporting = Exporting(self.presenter, services.root, services.messages, self)
-        findings = self.view.findings
-        findings.set_formats(self.exporting.formats)
-        findings.export_requested.connect(self.exporting.export)
+        self.exporting = Exporting(
+            SOURCE,
+            formats(),
+            lambda: self.presenter.state.findings,
+            lambda: services.root() / "exports",
+            services.jobs,
+            services.messages,
+            self,
+        )
+        self.exporting.serve(self.view.findings.foot)
         self.presenter.changed.connect(self._on_changed)
 
     @property
@@ -35,21 +40,13 @@ class ArchiveTab(QObject):
         title = "" if state.findings is None else state.findings.title
         if title != self._titled:
             self._titled = title
-            self.view.findings.show_name(self.exporting.propose())
+            self.exporting.renew()
 
     def after_paint(self) -> None:
         """Load the plot; the archive itself is opened when the tab first comes to the front."""
         from gui.archive.history_view import HistoryPlot
 
         self.view.put_plot(HistoryPlot())
-
-    def why_busy(self) -> str:
-        """Why the ports cannot be let go of: never, it has nothing to do with them."""
-        return ""
-
-    def wanted(self) -> tuple[Plan, Step] | None:
-        """Nothing has to be set on the rig."""
-        return None
 
     def close(self) -> None:
         """Break off what runs; let go of the index and the plot."""

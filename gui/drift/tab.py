@@ -21,7 +21,7 @@ class DriftTab(AnalysisTab):
         self.presenter = DriftPresenter(self.library, services.messages, self)
         self.view = DriftView(self.presenter)
         self.exporting = export_under(
-            self.view.page.findings,
+            self.view.page.findings.foot,
             formats(self._draw),
             lambda: page_of(self.presenter, self.library),
             services,

@@ -6,7 +6,6 @@ from typing import Any
 from PySide6.QtCore import QEvent, Signal
 from PySide6.QtWidgets import (
     QHBoxLayout,
-    QLineEdit,
     QPushButton,
     QSizePolicy,
     QToolButton,
@@ -17,7 +16,7 @@ from PySide6.QtWidgets import (
 from core.errors import Note
 from gui.languages.shown import shown
 from gui.measuring.page import CurveState, ResultsPage
-from gui.widgets.fields import ChoiceField
+from gui.widgets.export_foot import ExportFoot
 from gui.widgets.matrix_view import MatrixView
 from gui.widgets.note_line import NoteLine
 from gui.widgets.page_scroll import PageScroll
@@ -32,9 +31,6 @@ class ResultsView(QWidget):
 
     closed = Signal()
     certificate_requested = Signal()
-    export_requested = Signal(str, str)
-    """Format and file name."""
-    format_chosen = Signal(str)
     explain_requested = Signal()
     """The model of the page is to be compared with its rows."""
     take_out_requested = Signal()
@@ -43,7 +39,6 @@ class ResultsView(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._state: ResultsPage | None = None
-        self._titles: list[str] = []
         unit = self.fontMetrics().height()
         self._title, self._source = WordLabel(), WordLabel()
         font = self._title.font()
@@ -80,21 +75,14 @@ class ResultsView(QWidget):
         self._column = QVBoxLayout(self._page)
         self._column.setContentsMargins(0, 0, unit // 2, unit)
         self._column.setSpacing(unit // 2)
-        self._formats, self._name, self._export = ChoiceField(), QLineEdit(), QPushButton()
-        self._formats.activated.connect(self._on_format)
-        self._name.returnPressed.connect(self.export)
-        self._export.clicked.connect(self.export)
-        foot = QHBoxLayout()
-        foot.addWidget(self._formats)
-        foot.addWidget(self._name, 1)
-        foot.addWidget(self._export)
+        self.foot = ExportFoot()
         column = QVBoxLayout(self)
         column.setContentsMargins(unit, unit // 2, unit // 2, unit // 2)
         column.setSpacing(unit // 2)
         column.addLayout(head)
         column.addWidget(self._bent)
         column.addWidget(PageScroll(self._page), 1)
-        column.addLayout(foot)
+        column.addWidget(self.foot)
         self._retranslate()
 
     def render(self, state: ResultsPage | None) -> None:
@@ -121,25 +109,6 @@ class ResultsView(QWidget):
         names = "; ".join(shown(name) for name in effects)
         self._with.setText(self.tr("With: {effects}").format(effects=names))
 
-    def set_formats(self, formats: tuple[tuple[str, str], ...]) -> None:
-        """Offer these formats: keys and titles."""
-        for key, title in formats:
-            self._formats.addItem(shown(title), key)
-        self._titles = [title for _, title in formats]
-
-    def show_name(self, key: str, name: str) -> None:
-        """Propose a file name for a format."""
-        self._formats.setCurrentIndex(max(0, self._formats.findData(key)))
-        self._name.setText(name)
-        self._name.setCursorPosition(len(name))
-
-    def export(self) -> None:
-        """Write the chosen format under the name in the field."""
-        self.export_requested.emit(self._formats.currentData(), self._name.text())
-
-    def _on_format(self, index: int) -> None:
-        self.format_chosen.emit(self._formats.itemData(index))
-
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.LanguageChange:
@@ -155,11 +124,6 @@ class ResultsView(QWidget):
         self.take_out.setText(self.tr("Take Out"))
         self.take_out.setToolTip(self.tr("Calibrate by the plain model again"))
         self._name_effects()
-        for place, title in enumerate(self._titles):
-            self._formats.setItemText(place, shown(title))
-        self._formats.setAccessibleName(self.tr("Export format"))
-        self._name.setAccessibleName(self.tr("File of the export"))
-        self._export.setText(self.tr("Export"))
 
 
 def _table(table: TableState, unit: int) -> QWidget:  # noqa: ARG001

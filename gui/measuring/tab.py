@@ -101,9 +101,7 @@ class MeasuringTab(Generic[S], QObject):
         self.view.results.take_out_requested.connect(self._on_take_out)
         self.view.results.explain.setVisible(bool(EXPLAINED.intersection(guide.tests)))
         self.view.results.certificate_requested.connect(self._on_certificate)
-        self.view.results.set_formats(self.exporting.formats)
-        self.view.results.format_chosen.connect(self._on_format)
-        self.view.results.export_requested.connect(self.exporting.export)
+        self.exporting.serve(self.view.results.foot)
 
     def exported(self) -> Any:
         """What the formats of the export are given; None while there is nothing."""
@@ -263,10 +261,7 @@ class MeasuringTab(Generic[S], QObject):
         if page is None:
             self.exporting.forget()
         else:
-            self._on_format(self.exporting.chosen)
-
-    def _on_format(self, key: str) -> None:
-        self.view.results.show_name(key, self.exporting.propose(key))
+            self.exporting.renew()
 
 
 def plans_of(tests: Sequence[str], own: Path | None = None) -> dict[str, Plan]:

@@ -252,7 +252,7 @@ class MeasuringView(QWidget):
         if key == "load":
             self._open_dialog()
         elif key == "export":
-            self.results.export()
+            self.results.foot.export()
         else:
             self._presenter.act(key)
 

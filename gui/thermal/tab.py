@@ -23,7 +23,7 @@ class ThermalTab(AnalysisTab):
         )
         self.view = ThermalView(self.presenter)
         self.exporting = export_under(
-            self.view.page.findings,
+            self.view.page.findings.foot,
             formats(self._draw),
             lambda: self.library.result,
             services,

@@ -80,7 +80,7 @@ class AnalysisPage(QWidget):
         if key == LOAD:
             self._open_dialog()
         elif key == EXPORT:
-            self.findings.export()
+            self.findings.foot.export()
         else:
             self.triggered.emit(key)
 

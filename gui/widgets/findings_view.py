@@ -1,16 +1,12 @@
 """The right-hand side: tables with their laws, doubts, and what can be exported."""
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
-    QHBoxLayout,
-    QLineEdit,
-    QPushButton,
     QVBoxLayout,
     QWidget,
 )
 
-from gui.languages.shown import shown
-from gui.widgets.fields import ChoiceField
+from gui.widgets.export_foot import ExportFoot
 from gui.widgets.note_line import NoteLine
 from gui.widgets.page_scroll import PageScroll
 from gui.widgets.result_table import ResultTable
@@ -21,15 +17,10 @@ from gui.widgets.word_label import WordLabel
 class FindingsView(QWidget):
     """Shows a `FindingsState`."""
 
-    export_requested = Signal(str, str)
-    """Format and file name."""
-    format_chosen = Signal(str)
-
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._state: FindingsState | None = None
         self._tables: list[ResultTable] = []
-        self._titles: list[str] = []
         self._notes: list[NoteLine] = []
         unit = self.fontMetrics().height()
         self._title, self._source = WordLabel(), WordLabel()
@@ -48,27 +39,14 @@ class FindingsView(QWidget):
         self._doubts = QVBoxLayout()
         self._column.addLayout(self._doubts)
         self._column.addStretch(1)
-        self._formats, self._name, self._export = ChoiceField(), QLineEdit(), QPushButton()
-        # Titles of formats are long: the field shortens them, and the name keeps its room.
-        self._formats.setMinimumContentsLength(12)
-        self._formats.setSizeAdjustPolicy(
-            ChoiceField.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
-        )
-        self._formats.activated.connect(self._on_format)
-        self._name.returnPressed.connect(self.export)
-        self._export.clicked.connect(self.export)
-        foot = QHBoxLayout()
-        foot.addWidget(self._formats, 2)
-        foot.addWidget(self._name, 3)
-        foot.addWidget(self._export)
+        self.foot = ExportFoot()
         column = QVBoxLayout(self)
         column.setContentsMargins(unit // 2, unit // 2, unit // 2, unit // 2)
         column.setSpacing(unit // 2)
         for label in (self._title, self._source):
             column.addWidget(label)
         column.addWidget(PageScroll(self._page), 1)
-        column.addLayout(foot)
-        self._retranslate()
+        column.addWidget(self.foot)
 
     @property
     def tables(self) -> tuple[ResultTable, ...]:
@@ -104,38 +82,3 @@ class FindingsView(QWidget):
         self._notes = [NoteLine(note) for note in (() if state is None else state.notes)]
         for line in self._notes:
             self._doubts.addWidget(line)
-
-    def set_formats(self, formats: tuple[tuple[str, str], ...]) -> None:
-        """Offer these formats: keys and titles."""
-        for key, title in formats:
-            self._formats.addItem(shown(title), key)
-        self._titles = [title for _, title in formats]
-
-    @property
-    def chosen_format(self) -> str:
-        """Key of the format on the screen."""
-        return str(self._formats.currentData())
-
-    def show_name(self, name: str) -> None:
-        """Propose a file name."""
-        self._name.setText(name)
-        self._name.setToolTip(name)
-
-    def export(self) -> None:
-        """Write the chosen format under the name in the field."""
-        self.export_requested.emit(self._formats.currentData(), self._name.text())
-
-    def _on_format(self, index: int) -> None:
-        self.format_chosen.emit(self._formats.itemData(index))
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.LanguageChange:
-            self._retranslate()
-
-    def _retranslate(self) -> None:
-        for place, title in enumerate(self._titles):
-            self._formats.setItemText(place, shown(title))
-        self._formats.setAccessibleName(self.tr("Export format"))
-        self._name.setAccessibleName(self.tr("File of the export"))
-        self._export.setText(self.tr("Export"))

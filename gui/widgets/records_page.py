@@ -165,7 +165,7 @@ class RecordsPage(QWidget):
         if key in (ADD, FOLDER):
             self._open_dialog(key)
         elif key == EXPORT:
-            self.findings.export()
+            self.findings.foot.export()
         else:
             self.triggered.emit(key)
 

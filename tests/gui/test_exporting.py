@@ -8,13 +8,13 @@ from core.records.atomic import make_folder
 from gui.exporting import ExportFormat, Exporting, pictures
 from gui.jobs import Jobs
 from gui.messages import Messages
-from gui.widgets.findings_view import FindingsView
+from gui.widgets.export_foot import ExportFoot
 
 
 def test_a_panel_is_offered_names_and_has_files_written(qtbot: QtBot, tmp_path: Path):
     messages, jobs = Messages(), Jobs()
-    view = FindingsView()
-    qtbot.addWidget(view)
+    foot = ExportFoot()
+    qtbot.addWidget(foot)
     page: list[str] = []
 
     def write(words: str, path: Path) -> None:
@@ -32,14 +32,14 @@ def test_a_panel_is_offered_names_and_has_files_written(qtbot: QtBot, tmp_path: 
         jobs,
         messages,
     )
-    exporting.serve(view)
+    exporting.serve(foot)
     assert [key for key, _ in exporting.formats] == ["text", "svg", "png", "pdf"]
     assert dict(exporting.formats)["pdf"] == "Plot, PDF"
     exporting.renew()
-    view.export()
+    foot.export()
     page.append("noise")
     exporting.renew()
-    view.export()
+    foot.export()
     qtbot.waitUntil(lambda: messages.current is not None)
     assert (tmp_path / "new" / "noise.txt").read_text(encoding="utf-8") == "noise"
     # A picture is drawn in the thread of the window: it is there at once.

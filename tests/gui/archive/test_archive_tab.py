@@ -275,7 +275,7 @@ def test_what_is_chosen_stays_chosen_when_the_list_changes(
 def test_the_tables_are_exported(tab: ArchiveTab, qtbot: QtBot, filled: Path) -> None:
     show(tab, qtbot)
     choose(tab, qtbot, places_of(tab, "calibration")[0])
-    tab.view.findings.export()
+    tab.view.findings.foot.export()
     (path,) = (filled / "exports").iterdir()
     lines = path.read_text("utf-8-sig").splitlines()
     assert lines[0].startswith("PW09, 2025-03-01")

@@ -49,7 +49,7 @@ def rows(page: ComparisonPage) -> dict[str, tuple[str, ...]]:
 def test_nothing_yet(page: ComparisonPage):
     assert page.presenter.state.findings is None
     assert page.content.currentWidget() is not page.content.findings
-    page.export("csv", "a.csv")
+    page.exporting.export("csv", "a.csv")
 
 
 def test_two_files_of_one_unit_and_the_noise_of_two_others(
@@ -87,7 +87,7 @@ def test_two_files_of_one_unit_and_the_noise_of_two_others(
 def test_what_is_no_gyro_is_told_and_the_rest_goes_on(page: ComparisonPage, qtbot: QtBot):
     add(page, qtbot, LEGACY / "Accuracy_202405141110.txt", TABLE)
     assert len(page.presenter.state.rows) == 1
-    banner = page._services.messages.current
+    banner = page.presenter._messages.current
     assert banner is not None
     assert "Accuracy_202405141110.txt is not compared" in banner.what
     key = page.presenter.state.rows[0].key
@@ -100,7 +100,7 @@ def test_the_table_as_a_file(
     page: ComparisonPage, qtbot: QtBot, tmp_path: Path, key: str, separator: str, mark: str
 ):
     add(page, qtbot, TABLE)
-    page.export(key, "out.csv")
+    page.exporting.export(key, "out.csv")
     with (tmp_path / "out.csv").open(encoding="utf-8-sig", newline="") as file:
         lines = list(csv.reader(file, delimiter=separator))
     assert lines[0] == ["Quantity", "Unit", "ADXRS610 gyro_1"]

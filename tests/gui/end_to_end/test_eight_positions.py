@@ -31,7 +31,7 @@ def test_scan_eight_positions_process_export(
     assert state is not None
     _agrees(state.calibration, rig.order(truth=True)["truth"])
 
-    name = operator.tab.view.results._name
+    name = operator.tab.view.results.foot.name
     assert isinstance(name, QLineEdit)
     assert name.text().endswith(".cal.json")
     target = tmp_path / "out.cal.json"
