@@ -18,7 +18,10 @@ picture           a story -> both plots
 words             names of regressors and verdicts
 plan_grade        what a plan can show before anything is measured; needs no Qt
 grade_view        effects as a list of lights
-trial             sealed cases for practice; needs no Qt
+trial             sealed cases for practice, of four kinds, and the score; needs no Qt
+trial_case        one sealed case
+trial_rows        cases on the head, on the rate table, of a gyro at rest
+trial_record      cases that are records
 trial_presenter   a case looked at, named, opened, scored
 trial_state       everything that the page of trials shows
 trial_view        that page

@@ -8,10 +8,9 @@ from core.arrays import FloatArray
 from core.discrepancy.result import UNKNOWN, Candidate, Explanation, NextMeasurement, Step
 from core.model.catalogue.listing import CATALOGUE
 from core.plans.plan import Plan
-from gui.discrepancy.certainty import is_noise
 from gui.discrepancy.state import CandidateRow, DetailState, LightRow, NextCard, ProposalCard
 from gui.discrepancy.words import effect_words, numbers_of, plain_words, unit_words
-from gui.discrepancy.working import RECORD, Story, is_fact, rivals_of
+from gui.discrepancy.working import RECORD, Story, is_fact, is_noise, rivals_of
 from gui.widgets.number_text import fixed, significant
 from gui.widgets.states import TableState, Tone
 
@@ -75,6 +74,8 @@ def following_of(story: Story) -> tuple[NextCard, ...]:
 
 def measurements_of(story: Story) -> tuple[NextMeasurement, ...]:
     """The measurements behind the cards."""
+    if story.known is not None and story.proposed is None:
+        return ()
     best = story.proposed or story.told
     return best.next_measurements
 

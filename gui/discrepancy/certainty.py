@@ -3,10 +3,8 @@
 from PySide6.QtCore import QCoreApplication
 
 from core.discrepancy.result import UNKNOWN, Step
-from core.model.catalogue.listing import CATALOGUE
-from core.model.effect import Kind
 from gui.discrepancy.words import effect_words
-from gui.discrepancy.working import is_fact
+from gui.discrepancy.working import is_fact, is_noise
 from gui.widgets.states import Tone
 
 _SHOWN = 3
@@ -45,11 +43,6 @@ def certainty_words(step: Step) -> str:
         return template.format(names=_listed(names))
     template = QCoreApplication.translate("Discrepancy", "or {names}")
     return template.format(names=_listed(names))
-
-
-def is_noise(step: Step) -> bool:
-    """Whether a step is a term of the noise."""
-    return step.effect in CATALOGUE and CATALOGUE[step.effect].kind is Kind.NOISE
 
 
 def _listed(names: list[str]) -> str:

@@ -26,7 +26,11 @@ def title_of(story: Story) -> str:
 
 def notes_of(story: Story, summary: str) -> tuple[Note, ...]:
     """Every doubt once, without what the summary says already."""
-    found = (*story.run.notes, *(story.proposed or story.told).notes)
+    # A record is explained as a whole: before Find nothing of that is told.
+    unsaid = story.known is not None and story.proposed is None
+    found = story.run.notes
+    if not unsaid:
+        found = (*found, *(story.proposed or story.told).notes)
     said = summary.lower()
     kept = {note.text: note for note in found if note.text.lower().rstrip(".") not in said}
     return tuple(kept.values())

@@ -9,8 +9,9 @@ from core.errors import LabError, Severity
 from core.model.catalogue.listing import CATALOGUE
 from gui.discrepancy.presenter import DiscrepancyPresenter
 from gui.discrepancy.trial import (
-    HIDDEN,
-    Case,
+    KINDS,
+    Score,
+    hidden_in,
     is_right,
     make_case,
     named_by_operator,
@@ -18,6 +19,7 @@ from gui.discrepancy.trial import (
     score_of,
     story_of,
 )
+from gui.discrepancy.trial_case import Case
 from gui.discrepancy.trial_state import NameRow, TrialState
 from gui.discrepancy.words import effect_words
 from gui.discrepancy.working import Story
@@ -27,6 +29,7 @@ from gui.widgets.states import Tone
 
 SECTION = "blind trial"
 SOURCE = "blind trial"
+_CHOICE = "kind"
 
 
 class TrialPresenter(QObject):
@@ -55,11 +58,16 @@ class TrialPresenter(QObject):
         self._messages = messages
         self._made: list[Case] = []
         self._case: Case | None = None
+        chosen = settings.section(SECTION).get(_CHOICE)
+        self._next = chosen if chosen in KINDS else KINDS[0]
+        self._kind = self._making = self._next
         self._named: list[str] = []
         self._opening = False
         self._lines: tuple[str, ...] = ()
         self._tone = Tone.IDLE
-        self._score = score_of(settings.section(SECTION))
+        self._scores: dict[str, Score] = {
+            kind: score_of(settings.section(section_of(kind))) for kind in KINDS
+        }
         comparison.changed.connect(self._on_changed)
         comparison.trial_wanted.connect(self.begin)
 
@@ -72,12 +80,15 @@ class TrialPresenter(QObject):
         busy = bool(self._comparison.busy)
         opened = bool(self._lines)
         template = QCoreApplication.translate("Trial", "Case {number}")
+        kinds = kind_words()
         return TrialState(
-            title=template.format(number=case.seed),
+            title=f"{template.format(number=case.seed)}: {kinds[self._kind]}",
             seal=case.seal,
+            kinds=tuple(kinds.items()),
+            kind=self._next,
             names=tuple(
                 NameRow(name, effect_words(name), CATALOGUE[name].plain, name in self._named)
-                for name in HIDDEN
+                for name in hidden_in(self._kind)
             ),
             answer=_answer(self._named),
             opened=opened,
@@ -93,18 +104,26 @@ class TrialPresenter(QObject):
         if self._comparison.busy:
             return
         # A case that was left unopened does not come again: it was looked at.
-        seed = self._score.begun + 1
-        self._score = replace(self._score, begun=seed)
-        self._remember()
+        kind = self._next
+        seed = self._scores[kind].begun + 1
+        self._scores[kind] = replace(self._scores[kind], begun=seed)
+        self._remember(kind)
         made: list[Case] = []
-        self._made = made
+        self._made, self._making = made, kind
 
         def work() -> Story:
-            case = make_case(seed)
+            case = make_case(seed, kind)
             made.append(case)
             return story_of(case, SearchSettings(), lambda _: None)
 
         self._comparison.open_alone(work, "case")
+
+    def choose(self, kind: str) -> None:
+        """Of which kind the next case is."""
+        if kind in KINDS and kind != self._next:
+            self._next = kind
+            self._remember(KINDS[0])
+            self._tell()
 
     def tick(self, name: str, on: bool) -> None:
         """Name an effect, or take the name back."""
@@ -130,6 +149,7 @@ class TrialPresenter(QObject):
             case = self._made[0]
             if self._case is not case:
                 self._case, self._named, self._lines = case, [], ()
+                self._kind = self._making
                 self._tone, self._opening = Tone.IDLE, False
             elif self._opening and story.proposed is not None and not self._comparison.busy:
                 self._opening = False
@@ -143,7 +163,8 @@ class TrialPresenter(QObject):
         steps = named_by_program(told)
         operator = is_right(case.truth, named_by_operator(told, self._named))
         program = is_right(case.truth, steps)
-        self._score = self._score.after(operator=operator, program=program)
+        score = self._scores[self._kind].after(operator=operator, program=program)
+        self._scores[self._kind] = score
         self._tone = Tone.GOOD if operator else Tone.BAD
         words = {
             True: QCoreApplication.translate("Trial", "correct"),
@@ -169,17 +190,20 @@ class TrialPresenter(QObject):
                 "Trial", "The seal is the SHA-256 of this text: {key}"
             ).format(key=case.key),
         )
-        self._remember()
+        self._remember(self._kind)
 
-    def _remember(self) -> None:
-        self._settings.store(SECTION, dict(self._score.to_section()))
+    def _remember(self, kind: str) -> None:
+        """Keep the score of a kind, and which kind is next."""
+        self._settings.store(section_of(kind), dict(self._scores[kind].to_section()))
+        first = self._scores[KINDS[0]].to_section()
+        self._settings.store(SECTION, {**first, _CHOICE: self._next})
         try:
             self._settings.save()
         except LabError as error:
             self._messages.log(Severity.WARNING, str(error), SOURCE)
 
     def _score_words(self) -> str:
-        score = self._score
+        score = self._scores[self._kind]
         if not score.cases:
             return QCoreApplication.translate("Trial", "No case was opened yet.")
         return QCoreApplication.translate(
@@ -188,6 +212,21 @@ class TrialPresenter(QObject):
 
     def _tell(self) -> None:
         self.changed.emit(self.state)
+
+
+def section_of(kind: str) -> str:
+    """Where the score of a kind is remembered."""
+    return SECTION if kind == KINDS[0] else f"{SECTION} {kind}"
+
+
+def kind_words() -> dict[str, str]:
+    """What each kind of case is called."""
+    return {
+        "head": QCoreApplication.translate("Trial", "accelerometer on the dividing head"),
+        "table": QCoreApplication.translate("Trial", "gyro on the rate table"),
+        "rest": QCoreApplication.translate("Trial", "gyro at rest on the head"),
+        "record": QCoreApplication.translate("Trial", "record of a vibratory gyro"),
+    }
 
 
 def _answer(names: "list[str] | tuple[str, ...]") -> str:

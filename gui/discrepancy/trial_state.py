@@ -28,6 +28,7 @@ class TrialState:
     Parameters
     ----------
     title, seal : the case; SHA-256 of what is hidden in it
+    kinds, kind : keys and titles of the kinds of case; key of the next one's
     names : what can be named
     answer : the operator's answer in words
     opened : the seal is open
@@ -39,6 +40,8 @@ class TrialState:
 
     title: str
     seal: str
+    kinds: tuple[tuple[str, str], ...]
+    kind: str
     names: tuple[NameRow, ...]
     answer: str
     opened: bool

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import (
 from gui.discrepancy.trial_presenter import TrialPresenter
 from gui.discrepancy.trial_state import TrialState
 from gui.languages.shown import shown
+from gui.widgets.fields import ChoiceField
 from gui.widgets.theme import current_theme
 from gui.widgets.word_label import WordLabel
 
@@ -36,13 +37,18 @@ class TrialView(QWidget):
         self.names = QListWidget()
         self.names.setSpacing(unit // 8)
         self.names.itemChanged.connect(self._on_ticked)
-        self.reveal, self.again = QPushButton(), QPushButton()
+        self.reveal, self.again, self.kinds = QPushButton(), QPushButton(), ChoiceField()
+        self.kinds.setMinimumContentsLength(10)
+        self.kinds.setSizeAdjustPolicy(
+            ChoiceField.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+        )
+        self.kinds.activated.connect(self._on_kind)
         self.reveal.clicked.connect(presenter.open_seal)
         self.again.clicked.connect(presenter.begin)
         hands = QHBoxLayout()
         hands.addWidget(self.reveal)
         hands.addWidget(self.again)
-        hands.addStretch(1)
+        hands.addWidget(self.kinds, 1)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, unit // 2, unit // 2, unit // 2)
         column.setSpacing(unit // 3)
@@ -83,6 +89,11 @@ class TrialView(QWidget):
         self.score.setText(state.score)
         self.reveal.setEnabled(state.can_open)
         self.again.setEnabled(state.can_begin)
+        titles = [shown(title[:1].upper() + title[1:]) for _, title in state.kinds]
+        if titles != [self.kinds.itemText(place) for place in range(self.kinds.count())]:
+            self.kinds.clear()
+            self.kinds.addItems(titles)
+        self.kinds.setCurrentIndex([key for key, _ in state.kinds].index(state.kind))
         for widget in (self.names, self.asked):
             widget.setVisible(not state.opened)
         self._colour()
@@ -108,6 +119,10 @@ class TrialView(QWidget):
             on = item.checkState() == Qt.CheckState.Checked
             self._presenter.tick(str(item.data(_KEY)), on)
 
+    def _on_kind(self, place: int) -> None:
+        if self._state is not None:
+            self._presenter.choose(self._state.kinds[place][0])
+
     def _colour(self) -> None:
         if self._state is not None:
             self.lines.setStyleSheet(f"color: {current_theme().tones[self._state.tone]}")
@@ -132,6 +147,8 @@ class TrialView(QWidget):
         self.names.setAccessibleName(self.tr("Names to choose from"))
         self.reveal.setText(self.tr("Reveal"))
         self.again.setText(self.tr("Next Case"))
+        self.kinds.setAccessibleName(self.tr("Kind of the next case"))
+        self.kinds.setToolTip(self.kinds.accessibleName())
 
 
 _KEY = Qt.ItemDataRole.UserRole

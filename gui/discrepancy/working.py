@@ -91,6 +91,11 @@ def is_fact(step: Step) -> bool:
     return step.effect in CATALOGUE and CATALOGUE[step.effect].kind is Kind.FACT
 
 
+def is_noise(step: Step) -> bool:
+    """Whether a step is a term of the noise."""
+    return step.effect in CATALOGUE and CATALOGUE[step.effect].kind is Kind.NOISE
+
+
 def rivals_of(step: Step) -> tuple[Candidate, ...]:
     """All names that compete for a step; the step itself where no other does."""
     if step.candidates:

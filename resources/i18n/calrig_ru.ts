@@ -1910,21 +1910,6 @@
             <source>Practice</source>
             <translation>Тренировка</translation>
         </message>
-        <message>
-            <location filename="../../gui/discrepancy/findings_view.py" />
-            <source>Export format</source>
-            <translation>Формат экспорта</translation>
-        </message>
-        <message>
-            <location filename="../../gui/discrepancy/findings_view.py" />
-            <source>File of the export</source>
-            <translation>Файл экспорта</translation>
-        </message>
-        <message>
-            <location filename="../../gui/discrepancy/findings_view.py" />
-            <source>Export</source>
-            <translation>Экспорт</translation>
-        </message>
     </context>
     <context>
         <name>FramesView</name>
@@ -5040,16 +5025,6 @@ Every session and calibration of the folder of sessions comes here by itself. Im
             <translation>Модель, JSON</translation>
         </message>
         <message>
-            <location filename="../../gui/discrepancy/exporting.py" />
-            <source>Not exported</source>
-            <translation>Не экспортировано</translation>
-        </message>
-        <message>
-            <location filename="../../gui/discrepancy/exporting.py" />
-            <source>Exported</source>
-            <translation>Экспортировано</translation>
-        </message>
-        <message>
             <location filename="../../gui/discrepancy/follow_up.py" />
             <source>A session holds another plan, or an accumulation is running.</source>
             <translation>Сеанс держит другой план, или идёт накопление.</translation>
@@ -5511,6 +5486,26 @@ Practice (F8) hides something in rows of the simulated rig, for you to name.</so
             <location filename="../../gui/discrepancy/trial_presenter.py" />
             <source>Of {cases} cases you had {operator} right, the program {program}.</source>
             <translation>Из {cases} [случая|случаев|случаев] вы угадали {operator}, программа — {program}.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/trial_presenter.py" />
+            <source>accelerometer on the dividing head</source>
+            <translation>акселерометр на делительной головке</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/trial_presenter.py" />
+            <source>gyro on the rate table</source>
+            <translation>гироскоп на поворотном стенде</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/trial_presenter.py" />
+            <source>gyro at rest on the head</source>
+            <translation>неподвижный гироскоп на головке</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/trial_presenter.py" />
+            <source>record of a vibratory gyro</source>
+            <translation>запись вибрационного гироскопа</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
@@ -8252,11 +8247,6 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial.py" />
-            <source>Blind trial</source>
-            <translation>Слепое испытание</translation>
-        </message>
-        <message>
-            <location filename="../../gui/discrepancy/trial.py" />
             <source>case {seed}</source>
             <translation>случай {seed}</translation>
         </message>
@@ -8264,6 +8254,16 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
             <location filename="../../gui/discrepancy/trial_presenter.py" />
             <source>blind trial</source>
             <translation>слепое испытание</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/trial_record.py" />
+            <source>Blind trial</source>
+            <translation>Слепое испытание</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/trial_record.py" />
+            <source>Rate</source>
+            <translation>Частота</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/working.py" />
@@ -8489,6 +8489,16 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
             <location filename="../../gui/drift/tab.py" />
             <source>Drift after switching on</source>
             <translation>Дрейф после включения</translation>
+        </message>
+        <message>
+            <location filename="../../gui/exporting.py" />
+            <source>Not exported</source>
+            <translation>Не экспортировано</translation>
+        </message>
+        <message>
+            <location filename="../../gui/exporting.py" />
+            <source>Exported</source>
+            <translation>Экспортировано</translation>
         </message>
         <message>
             <location filename="../../gui/frames/definition_view.py" />
@@ -10768,6 +10778,16 @@ Without a command the window opens.</translation>
             <location filename="../../core/discrepancy/advise.py" />
             <source>{why}; tells apart {join}</source>
             <translation>{why}; различает {join}</translation>
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/followups.py" />
+            <source>Where they differ most, {len} positions</source>
+            <translation>Где они различаются больше всего, положений: {len}</translation>
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/followups.py" />
+            <source>angles at which the tied effects read most differently, in mixed order</source>
+            <translation>углы, при которых связанные эффекты читаются наиболее различно, в смешанном порядке</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/followups.py" />
@@ -16658,6 +16678,11 @@ Without a command the window opens.</translation>
             <location filename="../../gui/discrepancy/trial_view.py" />
             <source>Next Case</source>
             <translation>Следующий случай</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/trial_view.py" />
+            <source>Kind of the next case</source>
+            <translation>Вид следующего случая</translation>
         </message>
     </context>
     <context>

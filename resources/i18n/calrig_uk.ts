@@ -1910,21 +1910,6 @@
             <source>Practice</source>
             <translation>Вправа</translation>
         </message>
-        <message>
-            <location filename="../../gui/discrepancy/findings_view.py" />
-            <source>Export format</source>
-            <translation>Формат експорту</translation>
-        </message>
-        <message>
-            <location filename="../../gui/discrepancy/findings_view.py" />
-            <source>File of the export</source>
-            <translation>Файл експорту</translation>
-        </message>
-        <message>
-            <location filename="../../gui/discrepancy/findings_view.py" />
-            <source>Export</source>
-            <translation>Експорт</translation>
-        </message>
     </context>
     <context>
         <name>FramesView</name>
@@ -5040,16 +5025,6 @@ Every session and calibration of the folder of sessions comes here by itself. Im
             <translation>Модель, JSON</translation>
         </message>
         <message>
-            <location filename="../../gui/discrepancy/exporting.py" />
-            <source>Not exported</source>
-            <translation>Не експортовано</translation>
-        </message>
-        <message>
-            <location filename="../../gui/discrepancy/exporting.py" />
-            <source>Exported</source>
-            <translation>Експортовано</translation>
-        </message>
-        <message>
             <location filename="../../gui/discrepancy/follow_up.py" />
             <source>A session holds another plan, or an accumulation is running.</source>
             <translation>Сеанс тримає інший план, або триває накопичення.</translation>
@@ -5511,6 +5486,26 @@ Practice (F8) hides something in rows of the simulated rig, for you to name.</so
             <location filename="../../gui/discrepancy/trial_presenter.py" />
             <source>Of {cases} cases you had {operator} right, the program {program}.</source>
             <translation>З {cases} [випадку|випадків|випадків] ви вгадали {operator}, програма — {program}.</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/trial_presenter.py" />
+            <source>accelerometer on the dividing head</source>
+            <translation>акселерометр на ділильній головці</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/trial_presenter.py" />
+            <source>gyro on the rate table</source>
+            <translation>гіроскоп на поворотному стенді</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/trial_presenter.py" />
+            <source>gyro at rest on the head</source>
+            <translation>нерухомий гіроскоп на головці</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/trial_presenter.py" />
+            <source>record of a vibratory gyro</source>
+            <translation>запис вібраційного гіроскопа</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_presenter.py" />
@@ -8252,11 +8247,6 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial.py" />
-            <source>Blind trial</source>
-            <translation>Сліпе випробування</translation>
-        </message>
-        <message>
-            <location filename="../../gui/discrepancy/trial.py" />
             <source>case {seed}</source>
             <translation>випадок {seed}</translation>
         </message>
@@ -8264,6 +8254,16 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
             <location filename="../../gui/discrepancy/trial_presenter.py" />
             <source>blind trial</source>
             <translation>сліпе випробування</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/trial_record.py" />
+            <source>Blind trial</source>
+            <translation>Сліпе випробування</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/trial_record.py" />
+            <source>Rate</source>
+            <translation>Частота</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/working.py" />
@@ -8489,6 +8489,16 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
             <location filename="../../gui/drift/tab.py" />
             <source>Drift after switching on</source>
             <translation>Дрейф після увімкнення</translation>
+        </message>
+        <message>
+            <location filename="../../gui/exporting.py" />
+            <source>Not exported</source>
+            <translation>Не експортовано</translation>
+        </message>
+        <message>
+            <location filename="../../gui/exporting.py" />
+            <source>Exported</source>
+            <translation>Експортовано</translation>
         </message>
         <message>
             <location filename="../../gui/frames/definition_view.py" />
@@ -10768,6 +10778,16 @@ Without a command the window opens.</translation>
             <location filename="../../core/discrepancy/advise.py" />
             <source>{why}; tells apart {join}</source>
             <translation>{why}; розрізняє {join}</translation>
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/followups.py" />
+            <source>Where they differ most, {len} positions</source>
+            <translation>Де вони різняться найбільше, положень: {len}</translation>
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/followups.py" />
+            <source>angles at which the tied effects read most differently, in mixed order</source>
+            <translation>кути, за яких пов'язані ефекти читаються найрізніше, у мішаному порядку</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/followups.py" />
@@ -16658,6 +16678,11 @@ Without a command the window opens.</translation>
             <location filename="../../gui/discrepancy/trial_view.py" />
             <source>Next Case</source>
             <translation>Наступний випадок</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/trial_view.py" />
+            <source>Kind of the next case</source>
+            <translation>Вид наступного випадку</translation>
         </message>
     </context>
     <context>

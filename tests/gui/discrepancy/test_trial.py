@@ -10,17 +10,22 @@ from pytestqt.qtbot import QtBot
 
 from core.discrepancy.settings import Settings
 from core.model.catalogue.listing import CATALOGUE
+from gui.discrepancy.cards import following_of
+from gui.discrepancy.overview import found_of, notes_of
 from gui.discrepancy.tab import DiscrepancyTab
 from gui.discrepancy.trial import (
-    HIDDEN,
+    KINDS,
     Score,
+    hidden_in,
     is_right,
     make_case,
     named_by_operator,
+    named_by_program,
     score_of,
     story_of,
 )
-from gui.discrepancy.trial_presenter import SECTION
+from gui.discrepancy.trial_presenter import SECTION, kind_words, section_of
+from gui.discrepancy.working import searched
 from gui.widgets.states import Tone
 
 _LONG = 60_000
@@ -36,8 +41,43 @@ def test_a_case_is_the_same_for_everybody_and_its_seal_holds():
 
 
 def test_all_that_can_be_hidden_is_of_the_catalogue_and_comes_up():
-    assert all("dividing_head" in CATALOGUE[name].tests for name in HIDDEN)
+    for kind, test in zip(
+        KINDS, ("dividing_head", "rate_table", "static_positions", "record"), strict=True
+    ):
+        assert all(test in CATALOGUE[name].tests for name in hidden_in(kind))
     assert [len(make_case(seed).truth) for seed in (3, 4, 5)] == [0, 1, 2]
+
+
+@pytest.mark.parametrize(
+    ("kind", "seed", "truth"),
+    [
+        ("table", 2, ("second_order_nonlinearity",)),
+        ("rest", 6, ("magnetic_sensitivity",)),
+        ("record", 4, ("damping_anisotropy",)),
+    ],
+)
+def test_a_case_of_each_kind_is_found_and_leaks_nothing_before(
+    kind: str, seed: int, truth: tuple[str, ...]
+):
+    case = make_case(seed, kind)
+    assert case.truth == truth
+    assert case.seal == make_case(seed, kind).seal != make_case(seed).seal
+    story = story_of(case, Settings(advise=False), lambda _: None)
+    assert story.told.before.gap > 1.3
+    assert found_of(story) == ()
+    assert following_of(story) == ()
+    assert len(notes_of(story, "")) <= 2
+    best = searched(story, lambda _: None).proposed
+    assert best is not None
+    named = named_by_program(best)
+    assert is_right(truth, named)
+    assert is_right(truth, named_by_operator(best, truth))
+
+
+def test_every_kind_has_its_own_score_and_the_first_keeps_its_place():
+    assert section_of("head") == SECTION
+    assert len({section_of(kind) for kind in KINDS}) == len(KINDS)
+    assert set(kind_words()) == set(KINDS)
 
 
 def test_the_plain_model_is_rejected_where_something_is_hidden():
@@ -81,13 +121,13 @@ def test_a_case_is_looked_at_named_and_opened(qtbot: QtBot, tab: DiscrepancyTab)
     pages, view = tab.view.findings.pages, tab.trial_view
     assert not pages.isTabVisible(3)
     tab.trial._settings.store(SECTION, {"cases": 6, "operator": 2, "program": 5, "begun": 6})
-    tab.trial._score = score_of(tab.trial._settings.section(SECTION))
+    tab.trial._scores["head"] = score_of(tab.trial._settings.section(SECTION))
     qtbot.mouseClick(tab.view.action_bar.button("trial"), Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: pages.currentIndex() == 3, timeout=_LONG)
     qtbot.waitUntil(lambda: not tab.presenter.busy, timeout=_LONG)
     state = tab.trial.state
     assert state is not None
-    assert state.title == "Case 7"
+    assert state.title == "Case 7: accelerometer on the dividing head"
     assert make_case(7).seal == state.seal
     assert state.seal[:16] in view.seal.text()
     for key in ("find", "add", "all", "calibrate", "report"):
@@ -97,7 +137,7 @@ def test_a_case_is_looked_at_named_and_opened(qtbot: QtBot, tab: DiscrepancyTab)
     assert tab.exporting.propose("pdf") == ""
     assert not view.lines.isVisible()
 
-    place = HIDDEN.index("third_order_nonlinearity")
+    place = hidden_in("head").index("third_order_nonlinearity")
     view.names.setCurrentRow(place)
     view.names.setFocus()
     qtbot.keyClick(view.names, Qt.Key.Key_Space)
@@ -123,7 +163,15 @@ def test_a_case_is_looked_at_named_and_opened(qtbot: QtBot, tab: DiscrepancyTab)
     assert not view.reveal.isEnabled()
 
     qtbot.wait(50)
+    view.kinds.setCurrentIndex(KINDS.index("table"))
+    view.kinds.activated.emit(KINDS.index("table"))
+    assert tab.trial._settings.section(SECTION)["kind"] == "table"
+    assert "Case 7" in view.title.text()
     qtbot.mouseClick(view.again, Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: view.title.text() == "Case 8", timeout=_LONG)
+    qtbot.waitUntil(lambda: view.title.text() == "Case 1: gyro on the rate table", timeout=_LONG)
     assert "nothing is missing" in view.answer.text()
     assert not view.lines.isVisible()
+    assert view.names.count() == len(hidden_in("table"))
+    assert "No case was opened yet" in view.score.text()
+    assert tab.trial._settings.section(SECTION)["cases"] == 7
+    assert tab.trial._settings.section(section_of("table"))["begun"] == 1
