@@ -5,87 +5,60 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QCoreApplication, QObject
+from PySide6.QtCore import QCoreApplication
 
 from core.discrepancy.to_json import explanation_to_json
-from core.errors import LabError, Severity, StorageError
-from core.records.atomic import write_text_atomic
+from core.records.atomic import make_folder, write_text_atomic
 from core.records.json_text import to_json
 from core.records.names import safe_name, stamp
 from core.version import SOFTWARE
 from gui.discrepancy.report import write_report
 from gui.discrepancy.working import Story
-from gui.messages import Messages
-from gui.widgets.states import BannerState
+from gui.exporting import ExportFormat
 
 SOURCE = "discrepancy export"
-_SUFFIXES = {
-    "pdf": "_model_vs_data.pdf",
-    "html": "_model_vs_data.html",
-    "json": "_model_vs_data.json",
-    "model": "_model.json",
-}
 
 
-class Exporting(QObject):
-    """Writes what is on the page.
+def formats() -> tuple[ExportFormat, ...]:
+    """The formats of a story."""
+    pdf = QCoreApplication.translate("Discrepancy", "Report, PDF")
+    html = QCoreApplication.translate("Discrepancy", "Report, HTML")
+    results = QCoreApplication.translate("Discrepancy", "Results, JSON")
+    model = QCoreApplication.translate("Discrepancy", "Model, JSON")
+    return (
+        _format("pdf", pdf, "_model_vs_data.pdf", write_report),
+        _format("html", html, "_model_vs_data.html", write_report),
+        _format("json", results, "_model_vs_data.json", _write_results),
+        _format("model", model, "_model.json", _write_model),
+    )
 
-    Parameters
-    ----------
-    story : returns what is on the page
-    root : returns the folder where files go that are named without one
-    messages : where it is told
-    """
 
-    def __init__(
-        self,
-        story: Callable[[], Story | None],
-        root: Callable[[], Path],
-        messages: Messages,
-        parent: QObject | None = None,
-    ) -> None:
-        super().__init__(parent)
-        self._story = story
-        self._root = root
-        self._messages = messages
+def folder_of(story: Story | None, root: Path) -> Path:
+    """Where files go that are named without a folder: into the session, else to the sessions."""
+    return root if story is None or not story.paths[0].is_dir() else story.paths[0]
 
-    @property
-    def formats(self) -> tuple[tuple[str, str], ...]:
-        """Keys and titles."""
-        return (
-            ("pdf", QCoreApplication.translate("Discrepancy", "Report, PDF")),
-            ("html", QCoreApplication.translate("Discrepancy", "Report, HTML")),
-            ("json", QCoreApplication.translate("Discrepancy", "Results, JSON")),
-            ("model", QCoreApplication.translate("Discrepancy", "Model, JSON")),
-        )
 
-    def propose(self, key: str) -> str:
-        """A name for a format; empty while there is nothing."""
-        story = self._story()
-        if story is None:
-            return ""
-        folder = story.paths[0] if story.paths[0].is_dir() else self._root()
-        name = f"{safe_name(story.run.device)}_{stamp(datetime.now())}{_SUFFIXES[key]}"
-        return str(folder / name)
+def _format(
+    key: str, title: str, ending: str, put: Callable[[Story, Path], object]
+) -> ExportFormat:
+    def name(story: Story) -> str:
+        return f"{safe_name(story.run.device)}_{stamp(datetime.now())}{ending}"
 
-    def export(self, key: str, name: str) -> None:
-        """Write a format under a name; a name without a folder goes to the sessions'."""
-        story = self._story()
-        if story is None or not name.strip():
-            return
-        path = self._root() / Path(name.strip()).expanduser()
-        try:
-            _make_folder(path.parent)
-            if key in ("pdf", "html"):
-                write_report(story, path)
-            else:
-                write_text_atomic(path, to_json(_document(story, key)))
-        except LabError as error:
-            words = QCoreApplication.translate("Discrepancy", "Not exported")
-            self._messages.tell_error(SOURCE, words, error)
-            return
-        words = QCoreApplication.translate("Discrepancy", "Exported")
-        self._messages.show(SOURCE, BannerState(Severity.INFO, words, str(path)))
+    def write(story: Story, path: Path) -> None:
+        make_folder(path.parent)
+        put(story, path)
+
+    return ExportFormat(key, title, name, write, at_once=True)
+
+
+def _write_results(story: Story, path: Path) -> None:
+    told = story.proposed or story.told
+    added = [step.effect for step in story.told.steps]
+    write_text_atomic(path, to_json({**explanation_to_json(told), "added": added}))
+
+
+def _write_model(story: Story, path: Path) -> None:
+    write_text_atomic(path, to_json(model_document(story)))
 
 
 def model_document(story: Story) -> dict[str, Any]:
@@ -129,17 +102,3 @@ def model_document(story: Story) -> dict[str, Any]:
         "software": SOFTWARE,
         "channels": channels,
     }
-
-
-def _document(story: Story, key: str) -> dict[str, Any]:
-    if key == "model":
-        return model_document(story)
-    told = story.proposed or story.told
-    return {**explanation_to_json(told), "added": [step.effect for step in story.told.steps]}
-
-
-def _make_folder(folder: Path) -> None:
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise StorageError(f"{folder}: cannot be made ({error.strerror})") from error

@@ -5,9 +5,7 @@ from collections.abc import Sequence
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtWidgets import (
     QFrame,
-    QGridLayout,
     QHBoxLayout,
-    QLineEdit,
     QPushButton,
     QTabWidget,
     QVBoxLayout,
@@ -21,7 +19,7 @@ from gui.discrepancy.overview_view import OverviewView
 from gui.discrepancy.state import DetailState, NextCard, StoryState
 from gui.discrepancy.words import unit_words
 from gui.languages.shown import shown
-from gui.widgets.fields import ChoiceField
+from gui.widgets.export_foot import ExportFoot
 from gui.widgets.note_line import NoteLine
 from gui.widgets.page_scroll import PageScroll
 from gui.widgets.word_label import WordLabel
@@ -36,13 +34,10 @@ class FindingsView(QWidget):
     chosen = Signal(str)
     plan_opened = Signal(int)
     plan_kept = Signal(int)
-    export_requested = Signal(str, str)
-    format_chosen = Signal(str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._state: StoryState | None = None
-        self._titles: list[str] = []
         unit = self.fontMetrics().height()
         self.overview = OverviewView()
         self._trial = ""
@@ -59,26 +54,14 @@ class FindingsView(QWidget):
             column.addStretch(1)
             self.pages.addTab(PageScroll(page), "")
             self._columns.append(column)
-        self._formats, self._name, self._export = ChoiceField(), QLineEdit(), QPushButton()
-        self._formats.setMinimumContentsLength(12)
-        self._formats.setSizeAdjustPolicy(
-            ChoiceField.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
-        )
-        self._formats.activated.connect(self._on_format)
-        self._name.returnPressed.connect(self.export)
-        self._export.clicked.connect(self.export)
-        foot = QGridLayout()
-        foot.addWidget(self._formats, 0, 0)
-        foot.addWidget(self._export, 0, 1)
-        foot.addWidget(self._name, 1, 0, 1, 2)
-        foot.setColumnStretch(0, 1)
+        self.foot = ExportFoot(two_rows=True)
         column = QVBoxLayout(self)
         column.setContentsMargins(unit // 2, unit // 2, unit // 2, unit // 2)
         column.setSpacing(unit // 4)
         column.addWidget(self.overview)
         column.addWidget(self.pages, 1)
-        column.addLayout(foot)
-        self._retranslate()
+        column.addWidget(self.foot)
+        self._name_pages()
 
     @property
     def candidates(self) -> list[CandidateView]:
@@ -105,12 +88,6 @@ class FindingsView(QWidget):
             self._render_grade(state)
         self._name_pages()
 
-    def set_formats(self, formats: tuple[tuple[str, str], ...]) -> None:
-        """Offer these formats: keys and titles."""
-        for key, title in formats:
-            self._formats.addItem(shown(title), key)
-        self._titles = [title for _, title in formats]
-
     def put_trial(self, page: QWidget) -> None:
         """Take the page of blind trials; it is there while a case is."""
         self.pages.addTab(page, "")
@@ -129,20 +106,6 @@ class FindingsView(QWidget):
         if case is not None and case != self._trial:
             self.pages.setCurrentIndex(_TRIAL)
         self._trial = case or ""
-
-    @property
-    def chosen_format(self) -> str:
-        """Key of the format on the screen."""
-        return str(self._formats.currentData())
-
-    def show_name(self, name: str) -> None:
-        """Propose a file name."""
-        self._name.setText(name)
-        self._name.setToolTip(name)
-
-    def export(self) -> None:
-        """Write the chosen format under the name in the field."""
-        self.export_requested.emit(self._formats.currentData(), self._name.text())
 
     # --- pages ------------------------------------------------------------------------------------
 
@@ -220,15 +183,10 @@ class FindingsView(QWidget):
     def _on_keep(self) -> None:
         self.plan_kept.emit(self.sender().property("place"))
 
-    def _on_format(self, index: int) -> None:
-        self.format_chosen.emit(self._formats.itemData(index))
-
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.LanguageChange:
-            self._retranslate()
-            for place, title in enumerate(self._titles):
-                self._formats.setItemText(place, shown(title))
+            self._name_pages()
             if self._state is not None:
                 # Built anew: the words of cards and buttons are written when they are made.
                 state, self._state = self._state, None
@@ -242,12 +200,6 @@ class FindingsView(QWidget):
         titles.append(self.tr("Practice"))
         for place, title in enumerate(titles[: self.pages.count()]):
             self.pages.setTabText(place, title)
-
-    def _retranslate(self) -> None:
-        self._name_pages()
-        self._formats.setAccessibleName(self.tr("Export format"))
-        self._name.setAccessibleName(self.tr("File of the export"))
-        self._export.setText(self.tr("Export"))
 
 
 def _detail(detail: DetailState) -> QWidget:

@@ -2,10 +2,9 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QObject
-
-from core.plans.plan import Plan, Step
-from gui.discrepancy.exporting import Exporting
+from core.plans.plan import Plan
+from gui.analysis.tab import AnalysisTab
+from gui.discrepancy.exporting import SOURCE, folder_of, formats
 from gui.discrepancy.follow_up import FollowUp
 from gui.discrepancy.plan_grade import graded
 from gui.discrepancy.presenter import DiscrepancyPresenter
@@ -13,12 +12,13 @@ from gui.discrepancy.trial_presenter import TrialPresenter
 from gui.discrepancy.trial_state import TrialState
 from gui.discrepancy.trial_view import TrialView
 from gui.discrepancy.view import DiscrepancyView
+from gui.exporting import Exporting
 from gui.services import Services
 
 TITLE = "Model vs data"
 
 
-class DiscrepancyTab(QObject):
+class DiscrepancyTab(AnalysisTab):
     """Presenter, view and what joins them."""
 
     def __init__(self, services: Services) -> None:
@@ -35,8 +35,11 @@ class DiscrepancyTab(QObject):
         self.view.findings.put_trial(self.trial_view)
         self.trial.changed.connect(self._on_trial)
         self.exporting = Exporting(
+            SOURCE,
+            formats(),
             lambda: None if self.presenter.alone else self.presenter.story,
-            services.root,
+            lambda: folder_of(self.presenter.story, services.root()),
+            services.jobs,
             services.messages,
             self,
         )
@@ -50,10 +53,7 @@ class DiscrepancyTab(QObject):
         findings = self.view.findings
         findings.plan_opened.connect(self.follow_up.open)
         findings.plan_kept.connect(self.follow_up.keep)
-        findings.set_formats(self.exporting.formats)
-        findings.format_chosen.connect(self._propose)
-        findings.export_requested.connect(self.exporting.export)
-        self.view.report_wanted.connect(findings.export)
+        self.exporting.serve(findings.foot)
         self.presenter.changed.connect(self._on_changed)
         self._named: object = None
 
@@ -67,14 +67,6 @@ class DiscrepancyTab(QObject):
         from gui.discrepancy.plots_view import PlotsView
 
         self.view.put_plots(PlotsView())
-
-    def why_busy(self) -> str:
-        """Why the ports cannot be let go of: nothing here uses them."""
-        return ""
-
-    def wanted(self) -> tuple[Plan, Step] | None:
-        """Nothing has to be set on the rig."""
-        return None
 
     def load(self, path: Path) -> None:
         """Take a session's folder or a file, and find out why its model is rejected."""
@@ -93,14 +85,11 @@ class DiscrepancyTab(QObject):
         story = self.presenter.story
         if story is not self._named:
             self._named = story
-            self._propose(self.view.findings.chosen_format)
+            self.exporting.renew()
 
     def _on_trial(self, state: TrialState | None) -> None:
         self.trial_view.render(state)
         self.view.findings.show_trial(None if state is None else state.title)
-
-    def _propose(self, key: str) -> None:
-        self.view.findings.show_name(self.exporting.propose(key))
 
 
 def make_tab(services: Services) -> DiscrepancyTab:

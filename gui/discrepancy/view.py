@@ -2,7 +2,7 @@
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QEvent, QRectF, Qt, Signal
+from PySide6.QtCore import QEvent, QRectF, Qt
 from PySide6.QtGui import QColor, QIcon, QPainter, QPixmap
 from PySide6.QtWidgets import (
     QFileDialog,
@@ -40,8 +40,6 @@ class DiscrepancyView(QWidget):
     ----------
     presenter : what clicks call, and what is rendered
     """
-
-    report_wanted = Signal()
 
     def __init__(self, presenter: DiscrepancyPresenter, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -167,7 +165,7 @@ class DiscrepancyView(QWidget):
         if key == "load":
             self._open_dialog()
         elif key == "report":
-            self.report_wanted.emit()
+            self.findings.foot.export()
         else:
             self._presenter.act(key)
 

@@ -1,20 +1,25 @@
 """What can be exported, under results: format, file name, and the button."""
 
 from PySide6.QtCore import QEvent, Signal
-from PySide6.QtWidgets import QHBoxLayout, QLineEdit, QPushButton, QWidget
+from PySide6.QtWidgets import QGridLayout, QLineEdit, QPushButton, QWidget
 
 from gui.languages.shown import shown
 from gui.widgets.fields import ChoiceField
 
 
 class ExportFoot(QWidget):
-    """One row; where a file goes stands in its name."""
+    """Where a file goes stands in its name.
+
+    Parameters
+    ----------
+    two_rows : the name has a row of its own, for a narrow panel
+    """
 
     export_requested = Signal(str, str)
     """Format and file name."""
     format_chosen = Signal(str)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, *, two_rows: bool = False, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._titles: list[str] = []
         self.formats, self.name, self.button = ChoiceField(), QLineEdit(), QPushButton()
@@ -26,11 +31,18 @@ class ExportFoot(QWidget):
         self.formats.activated.connect(self._on_format)
         self.name.returnPressed.connect(self.export)
         self.button.clicked.connect(self.export)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.addWidget(self.formats, 2)
-        row.addWidget(self.name, 3)
-        row.addWidget(self.button)
+        grid = QGridLayout(self)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.addWidget(self.formats, 0, 0)
+        if two_rows:
+            grid.addWidget(self.button, 0, 1)
+            grid.addWidget(self.name, 1, 0, 1, 2)
+            grid.setColumnStretch(0, 1)
+        else:
+            grid.addWidget(self.name, 0, 1)
+            grid.addWidget(self.button, 0, 2)
+            grid.setColumnStretch(0, 2)
+            grid.setColumnStretch(1, 3)
         self._retranslate()
 
     def set_formats(self, formats: tuple[tuple[str, str], ...]) -> None:

@@ -10781,16 +10781,6 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/followups.py" />
-            <source>Where they differ most, {len} positions</source>
-            <translation>Где они различаются больше всего, положений: {len}</translation>
-        </message>
-        <message>
-            <location filename="../../core/discrepancy/followups.py" />
-            <source>angles at which the tied effects read most differently, in mixed order</source>
-            <translation>углы, при которых связанные эффекты читаются наиболее различно, в смешанном порядке</translation>
-        </message>
-        <message>
-            <location filename="../../core/discrepancy/followups.py" />
             <source>Reversed sweep</source>
             <translation>Проход в обратном направлении</translation>
         </message>

@@ -10781,16 +10781,6 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/followups.py" />
-            <source>Where they differ most, {len} positions</source>
-            <translation>Де вони різняться найбільше, положень: {len}</translation>
-        </message>
-        <message>
-            <location filename="../../core/discrepancy/followups.py" />
-            <source>angles at which the tied effects read most differently, in mixed order</source>
-            <translation>кути, за яких пов'язані ефекти читаються найрізніше, у мішаному порядку</translation>
-        </message>
-        <message>
-            <location filename="../../core/discrepancy/followups.py" />
             <source>Reversed sweep</source>
             <translation>Прохід у зворотному напрямі</translation>
         </message>
