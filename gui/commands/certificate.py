@@ -37,12 +37,11 @@ from pathlib import Path
 
 from core.samples.run import Conditions
 from gui.commands.answer import Answer
+from gui.commands.conditions import add_conditions, stated_of
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the files, and what the laboratory states."""
-    from gui.commands.conditions import add_conditions
-
     parser.add_argument("file", type=Path, nargs="?", metavar="FILE")
     parser.add_argument(
         "--laboratory", type=Path, metavar="FILE", help="the laboratory's file, JSON or TOML"
@@ -101,7 +100,7 @@ def run(args: argparse.Namespace) -> Answer:
     laboratory = open_laboratory(args.laboratory)
     stated = OrderFile() if args.order is None else read_order(args.order)
     request = StudyRequest(channel=args.channel, scale_factor=args.scale_factor)
-    measured = measured_of_file(args.file, _conditions(args), args.device, request)
+    measured = measured_of_file(args.file, Conditions(**stated_of(args)), args.device, request)
     origin = measured.provenance
     order = replace(
         stated.order,
@@ -141,16 +140,3 @@ def run(args: argparse.Namespace) -> Answer:
     }
     failed = conformity is not None and conformity.verdict is not Verdict.PASS
     return Answer(data, "\n".join(lines), code=1 if missing or failed else 0)
-
-
-def _conditions(args: argparse.Namespace) -> Conditions:
-    """What was stated on the command line, and nothing else."""
-    stated = {
-        "g_mps2": args.g,
-        "u_g_mps2": args.u_g,
-        "head_u_arcsec": args.head_u,
-        "latitude_deg": args.latitude,
-        "rate_u_ppm": args.rate_u_ppm,
-        "rate_u_dps": args.rate_u_dps,
-    }
-    return Conditions(**{name: value for name, value in stated.items() if value is not None})

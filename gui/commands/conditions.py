@@ -35,13 +35,8 @@ def add_conditions(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def conditions_of(args: argparse.Namespace, known: Conditions) -> tuple[Conditions, bool]:
-    """What was stated, over what the file itself brings.
-
-    Returns
-    -------
-    conditions, assumed : whether g is nobody's statement but the practicum's value
-    """
+def stated_of(args: argparse.Namespace) -> dict[str, float]:
+    """What was stated on the command line, and nothing else."""
     stated = {
         "g_mps2": args.g,
         "u_g_mps2": args.u_g,
@@ -49,11 +44,19 @@ def conditions_of(args: argparse.Namespace, known: Conditions) -> tuple[Conditio
         "latitude_deg": args.latitude,
         "rate_u_ppm": args.rate_u_ppm,
         "rate_u_dps": args.rate_u_dps,
-        "repeatability": np.nan if args.repeatability is None else args.repeatability,
+        "repeatability": args.repeatability,
     }
-    conditions = replace(
-        known, **{name: value for name, value in stated.items() if value is not None}
-    )
+    return {name: value for name, value in stated.items() if value is not None}
+
+
+def conditions_of(args: argparse.Namespace, known: Conditions) -> tuple[Conditions, bool]:
+    """What was stated, over what the file itself brings.
+
+    Returns
+    -------
+    conditions, assumed : whether g is nobody's statement but the practicum's value
+    """
+    conditions = replace(known, **{"repeatability": np.nan, **stated_of(args)})
     if np.isfinite(conditions.g_mps2):
         return conditions, False
     return replace(conditions, g_mps2=KYIV_G_MPS2), True
