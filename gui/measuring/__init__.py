@@ -24,6 +24,7 @@ cues              the large line of the stage and the banner of a doubtful posit
 resuming          unfinished sessions
 results           `Results`: Load Data, Process Data
 bending           `BendingResults`: calibrated with effects that Model vs data added
+formats           what every calibration can be exported to
 added_table       those effects as a table
 loading           files of any kind, and what to ask where they leave a choice
 page              the results page as plain data
