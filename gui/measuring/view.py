@@ -70,10 +70,6 @@ class MeasuringView(QWidget):
         self._plan_label, self._plan = QLabel(), ChoiceField()
         self.grade = QToolButton()
         self.grade.setText("?")
-        # A plan of a long title does not take the stage's room; its end is in the tool tip.
-        self._plan.setSizeAdjustPolicy(
-            ChoiceField.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
-        )
         self._session_label, self._session = QLabel(), QLineEdit()
         self._new = QPushButton()
         self._dialog: QFileDialog | None = None

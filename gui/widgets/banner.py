@@ -15,7 +15,7 @@ from gui.languages.shown import shown
 from gui.widgets.icons import paint_severity, tone_of_severity
 from gui.widgets.states import BannerAction, BannerState
 from gui.widgets.theme import current_theme
-from gui.widgets.word_label import WordLabel
+from gui.widgets.word_label import paragraph
 
 
 class Banner(QWidget):
@@ -29,15 +29,7 @@ class Banner(QWidget):
         super().__init__(parent)
         self._state: BannerState | None = None
         unit = self.fontMetrics().height()
-        self._what = WordLabel()
-        self._rest = WordLabel()
-        for label in (self._what, self._rest):
-            label.setWordWrap(True)
-            label.setTextFormat(Qt.TextFormat.PlainText)
-            label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        font = self._what.font()
-        font.setBold(True)
-        self._what.setFont(font)
+        self._what, self._rest = paragraph("", bold=True), paragraph("")
         self._buttons = QHBoxLayout()
         self._buttons.setSpacing(unit // 2)
         self._close = QToolButton()

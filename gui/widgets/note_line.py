@@ -1,13 +1,13 @@
 """A doubt about a result, with its sign."""
 
-from PySide6.QtCore import QRectF, Qt
+from PySide6.QtCore import QRectF
 from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from core.errors import Note
 from gui.widgets.icons import paint_severity, tone_of_severity
 from gui.widgets.theme import current_theme
-from gui.widgets.word_label import WordLabel
+from gui.widgets.word_label import paragraph
 
 
 class NoteLine(QWidget):
@@ -18,10 +18,7 @@ class NoteLine(QWidget):
         self._note = note
         unit = self.fontMetrics().height()
         words = note.text[:1].upper() + note.text[1:]
-        text = WordLabel(words if words[-1:] in ".!?" else f"{words}.")
-        text.setWordWrap(True)
-        text.setTextFormat(Qt.TextFormat.PlainText)
-        text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        text = paragraph(words if words[-1:] in ".!?" else f"{words}.")
         row = QHBoxLayout(self)
         row.setContentsMargins(round(1.8 * unit), 0, 0, 0)
         row.addWidget(text, 1)

@@ -1,6 +1,6 @@
 """A label that says English words in the language of the window."""
 
-from PySide6.QtCore import QEvent
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtWidgets import QLabel, QWidget
 
 from gui.languages.shown import shown
@@ -22,3 +22,18 @@ class WordLabel(QLabel):
         super().changeEvent(event)
         if event.type() == QEvent.Type.LanguageChange:
             super().setText(shown(self._said))
+
+
+def paragraph(text: str, *, bold: bool = False, muted: bool = False) -> WordLabel:
+    """Return words that are wrapped and can be copied."""
+    label = WordLabel(text)
+    label.setWordWrap(True)
+    label.setTextFormat(Qt.TextFormat.PlainText)
+    label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+    if bold:
+        font = label.font()
+        font.setBold(True)
+        label.setFont(font)
+    if muted:
+        label.setForegroundRole(label.palette().ColorRole.PlaceholderText)
+    return label
