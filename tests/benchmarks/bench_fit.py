@@ -8,6 +8,7 @@ import numpy as np
 from core.plans.plan import load_plans
 from core.procedures.dividing_head import calibrate
 from core.samples.run import Conditions, Run
+from tests.plain_run import plain_run
 
 G = 9.8106
 LIMIT_MS = 2.0
@@ -27,23 +28,13 @@ TABLE_2_2 = np.array(
 
 def a_run() -> Run:
     steps = load_plans()["pointer_8"].steps
-    nan = np.full(8, np.nan)
-    return Run(
-        test="dividing_head",
-        sensor="accelerometer",
-        device="PW09",
+    return plain_run(
         channels=("X", "Y", "Z"),
-        axes=("x", "y", "z"),
-        unit="code",
         y=TABLE_2_2,
         y_se=np.full((8, 3), 2.0),
         run=np.zeros(8, dtype=np.int64),
-        order=np.arange(8),
         mount=tuple(step.mount for step in steps),
         head_deg=np.array([step.head_deg for step in steps]),
-        set_rate_dps=nan,
-        temperature_c=nan,
-        t_s=nan,
     )
 
 

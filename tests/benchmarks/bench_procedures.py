@@ -21,6 +21,7 @@ from core.procedures.prediction.bench import Bench
 from core.procedures.prediction.propose import propose
 from core.procedures.thermal.record import fit_record
 from core.samples.run import Conditions, Run
+from tests.plain_run import plain_run
 
 DPH = 3600.0
 DEVICES = 4
@@ -194,22 +195,13 @@ def speed(rows: Rows) -> None:
 def standing() -> Run:
     with gzip.open(RECORD, "rt", encoding="utf-8") as file:
         table = np.genfromtxt(file, delimiter=",", names=True)
-    n = len(table)
-    unknown = np.full(n, np.nan)
-    return Run(
+    return plain_run(
         test="record",
         sensor="gyro",
         device="chamber",
         channels=("x", "y", "z"),
-        axes=("x", "y", "z"),
         unit="deg/s",
         y=np.column_stack([table[f"rate_{axis}"] for axis in "xyz"]),
-        y_se=np.full((n, 3), np.nan),
-        run=np.ones(n, dtype=int),
-        order=np.arange(n),
-        mount=("",) * n,
-        head_deg=unknown,
-        set_rate_dps=unknown,
         temperature_c=table["temperature_c"],
         t_s=table["t_s"],
     )

@@ -9,7 +9,8 @@ from core.certificates.measured import measured_of
 from core.plans.plan import load_plans
 from core.procedures.calibration import Calibration
 from core.procedures.dividing_head import calibrate
-from core.samples.run import Conditions, Run
+from core.samples.run import Conditions
+from tests.plain_run import plain_run
 
 PRINTED = ({"kind": "note", "severity": "info", "subject": "rig", "text": "all is well"},)
 
@@ -21,23 +22,14 @@ def calibration() -> Calibration:
     rng = np.random.default_rng(3)
     force = np.array([step.specific_force(9.8106) for step in plan.steps])
     n = len(plan.steps)
-    unknown = np.full(n, np.nan)
-    run = Run(
-        test="dividing_head",
-        sensor="accelerometer",
+    run = plain_run(
         device="PW09 17",
         channels=("Ux", "Uy", "Uz"),
-        axes=("x", "y", "z"),
-        unit="code",
         y=1000.0 * force + 25.0 + rng.normal(0.0, 1.0, (n, 3)),
-        y_se=np.full((n, 3), np.nan),
         run=np.zeros(n, dtype=np.int64),
-        order=np.arange(n),
         mount=tuple(step.mount for step in plan.steps),
         head_deg=np.array([step.head_deg for step in plan.steps]),
-        set_rate_dps=unknown,
         temperature_c=np.full(n, 22.5),
-        t_s=unknown,
     )
     return calibrate(run, Conditions(g_mps2=9.8106))
 

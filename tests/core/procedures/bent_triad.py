@@ -3,6 +3,7 @@
 import numpy as np
 
 from core.samples.run import Conditions, Run
+from tests.plain_run import plain_run
 
 G, UNIT = 9.8106, 9.80665
 STATED = Conditions(g_mps2=G, head_u_arcsec=1.0)
@@ -37,20 +38,11 @@ def bent_run(seed: int = 1, noise: float = 0.05) -> Run:
     n = len(head)
     rng = np.random.default_rng(seed)
     y = outputs(forces(mount, head)) + noise * rng.standard_normal((n, 3))
-    return Run(
-        test="dividing_head",
-        sensor="accelerometer",
-        device="PW09",
-        channels=("acc_x", "acc_y", "acc_z"),
-        axes=("x", "y", "z"),
-        unit="code",
+    return plain_run(
         y=y,
         y_se=np.full((n, 3), noise),
-        run=np.ones(n, dtype=np.int64),
-        order=np.arange(n),
         mount=tuple(mount),
         head_deg=head,
-        set_rate_dps=np.full(n, np.nan),
         temperature_c=np.full(n, 27.0),
         t_s=60.0 * np.arange(n),
         conditions=STATED,

@@ -13,6 +13,7 @@ from core.procedures.calibration import Calibration
 from core.procedures.conformity import RULES, Verdict
 from core.procedures.dividing_head import calibrate
 from core.samples.run import Conditions, Run
+from tests.plain_run import plain_run
 
 GOLDEN = json.loads((Path(__file__).parents[2] / "data" / "golden.json").read_text("utf-8"))[
     "source001"
@@ -26,24 +27,11 @@ U0 = np.array([-379.0, -195.0, -230.0])
 
 
 def run_of(test: str, y: np.ndarray, mounts: tuple[str, ...], head: np.ndarray, **changes) -> Run:
-    n = len(y)
-    unknown = np.full(n, np.nan)
-    run = Run(
+    run = plain_run(
         test=test,
-        sensor="accelerometer",
-        device="PW09",
-        channels=("acc_x", "acc_y", "acc_z"),
-        axes=("x", "y", "z"),
-        unit="code",
         y=y,
-        y_se=np.full((n, 3), np.nan),
-        run=np.ones(n, dtype=np.int64),
-        order=np.arange(n),
         mount=mounts,
         head_deg=head,
-        set_rate_dps=unknown,
-        temperature_c=unknown,
-        t_s=unknown,
     )
     return replace(run, **changes)
 

@@ -16,6 +16,7 @@ from core.procedures.angle_errors import PITCH, ROLL
 from core.procedures.attitude import attitude
 from core.procedures.dividing_head import calibrate
 from core.samples.run import Conditions, Run
+from tests.plain_run import plain_run
 
 G = 9.8106
 K = np.array([[-1335.0, -13.0, -73.0], [36.0, -1339.0, 12.0], [1.0, 14.0, 1335.0]])
@@ -24,22 +25,12 @@ K = np.array([[-1335.0, -13.0, -73.0], [36.0, -1339.0, 12.0], [1.0, 14.0, 1335.0
 def run_of(y: np.ndarray, **changes) -> Run:
     n = len(y)
     unknown = np.full(n, np.nan)
-    run = Run(
+    run = plain_run(
         test="accuracy",
-        sensor="accelerometer",
-        device="PW09",
         channels=("a", "b", "c"),
-        axes=("x", "y", "z"),
-        unit="code",
         y=y,
-        y_se=np.full((n, 3), np.nan),
-        run=np.ones(n, dtype=np.int64),
-        order=np.arange(n),
         mount=("X_from",) * 4 + ("Y_from",) * 4 if n == 8 else ("",) * n,
         head_deg=np.tile([0.0, 90.0, 180.0, 270.0], 2) if n == 8 else unknown,
-        set_rate_dps=unknown,
-        temperature_c=unknown,
-        t_s=unknown,
     )
     return replace(run, **changes)
 

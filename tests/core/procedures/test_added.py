@@ -13,6 +13,7 @@ from core.procedures.rate_calibration import calibration_of
 from core.procedures.rate_table import calibrate_rate_table
 from core.samples.run import Conditions, Run
 from tests.core.procedures.bent_triad import K2_X, K_YZ, STATED, K, bent_run
+from tests.plain_run import plain_run
 
 FOUND = Added((("acc_x", CATALOGUE["second_order_nonlinearity"]), ("acc_x", CrossCoupling("yz"))))
 
@@ -82,23 +83,15 @@ def table_run(asymmetry_ppm: float) -> Run:
     n = len(rate)
     rng = np.random.default_rng(3)
     y = -438.0 - 79.4 * (rate + 1e-6 * asymmetry_ppm * np.abs(rate) / 2.0)
-    return Run(
+    return plain_run(
         test="rate_table",
         sensor="gyro",
         device="G1",
         channels=("gyro_z",),
         axes=("z",),
-        unit="code",
         y=(y + 0.02 * rng.standard_normal(n))[:, None],
         y_se=np.full((n, 1), 0.02),
-        run=np.ones(n, dtype=np.int64),
-        order=np.arange(n),
-        mount=("",) * n,
-        head_deg=np.full(n, np.nan),
         set_rate_dps=rate,
-        temperature_c=np.full(n, np.nan),
-        t_s=np.full(n, np.nan),
-        conditions=Conditions(),
     )
 
 

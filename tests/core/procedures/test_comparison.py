@@ -13,6 +13,7 @@ from core.procedures.comparison import NOT_MEASURED, ROWS, Gyro, compare_gyros, 
 from core.procedures.g_sensitivity import GSensor, fit_g_sensitivity
 from core.procedures.rate_table import RateSensor, calibrate_rate_table
 from core.samples.run import Conditions, Run
+from tests.plain_run import plain_run
 
 GOLDEN = json.loads((Path(__file__).parents[2] / "data" / "golden.json").read_text("utf-8"))[
     "source001"
@@ -21,23 +22,16 @@ GOLDEN = json.loads((Path(__file__).parents[2] / "data" / "golden.json").read_te
 
 def run_of(test: str, y: np.ndarray, rates: np.ndarray) -> Run:
     n = len(y)
-    unknown = np.full(n, np.nan)
-    return Run(
+    return plain_run(
         test=test,
         sensor="gyro",
         device="G",
         channels=("gyro_1",),
         axes=("z",),
-        unit="code",
-        y=y[:, None],
-        y_se=np.full((n, 1), np.nan),
-        run=np.ones(n, dtype=np.int64),
-        order=np.arange(n),
+        y=y,
         mount=("X_from",) * n if test != "rate_table" else ("",) * n,
         head_deg=np.arange(n) * 90.0,
         set_rate_dps=rates,
-        temperature_c=unknown,
-        t_s=unknown,
     )
 
 

@@ -10,6 +10,7 @@ from core.fit.quantiles import student_t
 from core.plans.plan import Plan, load_plans
 from core.procedures.dividing_head import calibrate
 from core.samples.run import Conditions, Run
+from tests.plain_run import plain_run
 
 G = 9.8106
 KYIV = Conditions(g_mps2=G)
@@ -49,23 +50,14 @@ Q_2_2 = np.array(
 def run_of(plan: Plan, y: np.ndarray, axes: tuple[str, ...], se: np.ndarray | None = None) -> Run:
     n, c = y.shape
     steps = (plan.steps * (n // len(plan.steps) + 1))[:n]
-    unknown = np.full(n, np.nan)
-    return Run(
-        test="dividing_head",
-        sensor="accelerometer",
-        device="PW09",
+    return plain_run(
         channels=tuple(f"U{i + 1}" for i in range(c)),
         axes=axes,
-        unit="code",
         y=y,
         y_se=np.full((n, c), np.nan) if se is None else se,
         run=np.arange(n) // len(plan.steps),
-        order=np.arange(n),
         mount=tuple(step.mount for step in steps),
         head_deg=np.array([step.head_deg for step in steps]),
-        set_rate_dps=unknown,
-        temperature_c=unknown,
-        t_s=unknown,
     )
 
 

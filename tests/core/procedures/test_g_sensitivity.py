@@ -12,6 +12,7 @@ from core.fit.estimate import Estimate
 from core.plans.orientation import BaseOrientation
 from core.procedures.g_sensitivity import HeadSite, fit_g_sensitivity
 from core.samples.run import Conditions, Run
+from tests.plain_run import plain_run
 
 GOLDEN = json.loads((Path(__file__).parents[2] / "data" / "golden.json").read_text("utf-8"))
 TABLE_3_3 = GOLDEN["source001"]["table_3_3"]
@@ -45,23 +46,17 @@ def run_of(
 ) -> Run:
     y = y[:, None] if y.ndim == 1 else y
     n, c = y.shape
-    unknown = np.full(n, np.nan)
-    return Run(
+    return plain_run(
         test="static_positions",
         sensor="gyro",
         device="Gyro31",
         channels=tuple(f"gyro_{i + 1}" for i in range(c)),
         axes=axes,
-        unit="code",
         y=y,
         y_se=np.full((n, c), se),
-        run=np.ones(n, dtype=np.int64),
-        order=np.arange(n),
         mount=positions[1],
         head_deg=np.array(positions[0]),
-        set_rate_dps=unknown,
         temperature_c=np.full(n, temperature),
-        t_s=unknown,
     )
 
 

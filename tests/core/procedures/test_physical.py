@@ -9,6 +9,7 @@ from core.procedures.dividing_head import calibrate
 from core.procedures.physical import physical_of
 from core.samples.block import Channel
 from core.samples.run import Conditions, Run
+from tests.plain_run import plain_run
 
 G = 9.8106
 K = np.array([[-1335.0, -13.0, -73.0], [36.0, -1339.0, 12.0], [1.0, 14.0, 1335.0]])
@@ -29,23 +30,13 @@ def triad() -> Run:
     about_x = np.column_stack([zero, -s, c])[:4]
     about_y = np.column_stack([s, zero, c])[4:]
     y = U0 + G * np.vstack([about_x, about_y]) @ K.T
-    unknown = np.full(8, np.nan)
-    return Run(
-        test="dividing_head",
-        sensor="accelerometer",
-        device="PW09",
+    return plain_run(
         channels=tuple(f"acc_{'xyz'[i]}" for i in ORDER),
         axes=tuple("xyz"[i] for i in ORDER),
-        unit="code",
         y=y[:, ORDER],
         y_se=np.full((8, 3), 0.1),
-        run=np.ones(8, dtype=np.int64),
-        order=np.arange(8),
         mount=("X_from",) * 4 + ("Y_from",) * 4,
         head_deg=angles,
-        set_rate_dps=unknown,
-        temperature_c=unknown,
-        t_s=unknown,
     )
 
 

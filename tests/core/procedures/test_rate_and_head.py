@@ -11,6 +11,7 @@ from core.errors import FitError
 from core.procedures.g_sensitivity import HeadSite
 from core.procedures.rate_and_head import fit_rate_and_head
 from core.samples.run import Conditions, Run
+from tests.plain_run import plain_run
 
 GOLDEN = json.loads((Path(__file__).parents[2] / "data" / "golden.json").read_text("utf-8"))[
     "source001"
@@ -46,22 +47,17 @@ def run_of(
 ) -> Run:
     n = len(y)
     unknown = np.full(n, np.nan)
-    return Run(
+    return plain_run(
         test=test,
         sensor="gyro",
         device="25-143",
         channels=("rate_x", "rate_y", "rate_z"),
-        axes=("x", "y", "z"),
         unit="V",
         y=y,
         y_se=np.full((n, 3), se),
-        run=np.ones(n, dtype=np.int64),
-        order=np.arange(n),
         mount=mounts,
         head_deg=unknown if head is None else head,
         set_rate_dps=unknown if rates is None else rates,
-        temperature_c=unknown,
-        t_s=unknown,
     )
 
 

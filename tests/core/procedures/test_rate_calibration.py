@@ -7,6 +7,7 @@ from core.errors import FitError
 from core.procedures.rate_calibration import calibration_of
 from core.procedures.rate_table import calibrate_rate_table
 from core.samples.run import Conditions, Run
+from tests.plain_run import plain_run
 
 RATES = np.array([-60.0, -40, -20, 0, 20, 40, 60])
 K = np.array([[-79.0, 0.9, -0.4], [0.3, 81.0, 1.2], [-0.7, 0.2, -80.0]])
@@ -16,23 +17,16 @@ U_RATE = 0.1
 
 def run_of(y: np.ndarray, rates: np.ndarray, mounts: tuple[str, ...], axes: tuple[str, ...]) -> Run:
     n, c = y.shape
-    unknown = np.full(n, np.nan)
-    return Run(
+    return plain_run(
         test="rate_table",
         sensor="gyro",
-        device="PW09",
         channels=tuple(f"gyro_{i}" for i in range(c)),
         axes=axes,
-        unit="code",
         y=y,
         y_se=np.full((n, c), 0.5),
-        run=np.ones(n, dtype=np.int64),
-        order=np.arange(n),
         mount=mounts,
-        head_deg=unknown,
         set_rate_dps=rates,
         temperature_c=np.full(n, 25.0),
-        t_s=unknown,
     )
 
 

@@ -10,6 +10,7 @@ import pytest
 from core.errors import FitError
 from core.procedures.rate_table import calibrate_rate_table, whole_turns_s
 from core.samples.run import Conditions, Run
+from tests.plain_run import plain_run
 
 GOLDEN = json.loads((Path(__file__).parents[2] / "data" / "golden.json").read_text("utf-8"))
 TABLE_3_2 = GOLDEN["source001"]["table_3_2"]
@@ -29,23 +30,16 @@ def run_of(
 ) -> Run:
     y = y[:, None] if y.ndim == 1 else y
     n, c = y.shape
-    unknown = np.full(n, np.nan)
-    return Run(
+    return plain_run(
         test="rate_table",
         sensor="gyro",
         device="ADXRS610",
         channels=tuple(f"gyro_{i + 1}" for i in range(c)),
         axes=axes or ("z",) * c,
-        unit="code",
         y=y,
         y_se=np.full((n, c), np.nan) if se is None else se.reshape(n, c),
-        run=np.ones(n, dtype=np.int64),
-        order=np.arange(n),
         mount=mounts or ("",) * n,
-        head_deg=unknown,
         set_rate_dps=rates,
-        temperature_c=unknown,
-        t_s=unknown,
         extra=extra or {},
     )
 

@@ -18,6 +18,7 @@ from core.procedures.six_position import (
     split_k,
 )
 from core.samples.run import Conditions, Run
+from tests.plain_run import plain_run
 
 G = 9.8106
 CASE = Conditions(g_mps2=G)
@@ -43,23 +44,14 @@ def matrix_t(yz: float, zy: float, zx: float) -> np.ndarray:
 def run_of(y: np.ndarray, se: float = np.nan, repeats: int = 1) -> Run:
     n = len(y)
     steps = STEPS * repeats
-    unknown = np.full(n, np.nan)
-    return Run(
-        test="dividing_head",
-        sensor="accelerometer",
+    return plain_run(
         device="MPU",
         channels=("ax", "ay", "az"),
-        axes=("x", "y", "z"),
-        unit="code",
         y=y,
         y_se=np.full((n, 3), se),
         run=np.arange(n) // 6 + 1,
-        order=np.arange(n),
         mount=tuple(step.mount for step in steps),
         head_deg=np.array([step.head_deg for step in steps]),
-        set_rate_dps=unknown,
-        temperature_c=unknown,
-        t_s=unknown,
     )
 
 

@@ -12,6 +12,7 @@ from core.procedures.g_sensitivity import GSensor, fit_g_sensitivity
 from core.procedures.rate_table import RateSensor, calibrate_rate_table
 from core.procedures.two_files import calibrated_by_3_10, compare_runs
 from core.samples.run import Conditions, Run
+from tests.plain_run import plain_run
 
 GOLDEN = json.loads((Path(__file__).parents[2] / "data" / "golden.json").read_text("utf-8"))[
     "source001"
@@ -27,22 +28,16 @@ TEMPERATURES = np.array(
 def run_of(test: str, y: np.ndarray, device: str, **changes) -> Run:
     n = len(y)
     unknown = np.full(n, np.nan)
-    run = Run(
+    run = plain_run(
         test=test,
         sensor="gyro",
         device=device,
         channels=("gyro_1",),
         axes=("z",),
-        unit="code",
-        y=y[:, None],
-        y_se=np.full((n, 1), np.nan),
-        run=np.ones(n, dtype=np.int64),
-        order=np.arange(n),
+        y=y,
         mount=("",) * n if test == "rate_table" else ("X_from",) * n,
         head_deg=unknown if test == "rate_table" else np.array([0.0, 90.0, 180.0, 270.0]),
         set_rate_dps=RATES if test == "rate_table" else unknown,
-        temperature_c=unknown,
-        t_s=unknown,
     )
     return replace(run, **changes)
 

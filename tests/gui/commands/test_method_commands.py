@@ -13,8 +13,8 @@ from core.procedures.drift.simulated import turn_on
 from core.procedures.fourier.readings import run_of_angles
 from core.procedures.gyrocompass import run_of_headings
 from core.records.run_file import write_run
-from core.samples.run import Run
 from gui.main import main
+from tests.plain_run import plain_run
 
 G = 9.8106
 RECORD = Path(__file__).parents[2] / "data" / "tofupilot_imu_thermal" / "imu_thermal.csv.gz"
@@ -44,24 +44,15 @@ def positions(path: Path, temperatures: tuple[float, ...] = (27.0,), noise: floa
     y = force @ k.T + np.array([30.0, -20.0, 10.0]) + 0.5 * (t - 27.0)[:, None]
     y = y + noise * np.random.default_rng(4).standard_normal(y.shape)
     n = len(y)
-    unknown = np.full(n, np.nan)
     write_run(
-        Run(
-            test="dividing_head",
-            sensor="accelerometer",
-            device="PW09",
+        plain_run(
             channels=("X", "Y", "Z"),
-            axes=("x", "y", "z"),
-            unit="code",
             y=y,
             y_se=np.full_like(y, noise),
             run=np.arange(n) // 8 + 1,
-            order=np.arange(n),
             mount=tuple(step.mount for step in steps),
             head_deg=np.array([step.head_deg for step in steps]),
-            set_rate_dps=unknown,
             temperature_c=t,
-            t_s=unknown,
         ),
         path,
     )
@@ -76,23 +67,17 @@ def turn_on_files(folder: Path, count: int, seed: int = 0) -> list[str]:
         made = [turn_on(rng, ambient, 0, rate=10.0) for _ in range(count)]
         y = np.concatenate([one for one, _ in made])
         n = len(y)
-        unknown = np.full(n, np.nan)
         path = folder / f"at_{ambient:g}_{seed}.run.csv"
         write_run(
-            Run(
+            plain_run(
                 test="record",
                 sensor="gyro",
                 device="GIB",
                 channels=("x",),
                 axes=("x",),
                 unit="deg/s",
-                y=y[:, None],
-                y_se=np.full((n, 1), np.nan),
+                y=y,
                 run=np.repeat(np.arange(1, count + 1), n // count),
-                order=np.arange(n),
-                mount=("",) * n,
-                head_deg=unknown,
-                set_rate_dps=unknown,
                 temperature_c=np.concatenate([chip for _, chip in made]),
                 t_s=np.tile((np.arange(n // count) + 0.5) / 10.0, count),
                 extra={"ambient_c": np.full(n, ambient)},

@@ -5,8 +5,9 @@ import numpy as np
 from core.plans.orientation import specific_force
 from core.procedures.calibration import Calibration
 from core.procedures.dividing_head import calibrate
-from core.samples.run import Conditions, Run
+from core.samples.run import Conditions
 from gui.dividing_head.tables import matrices, parameter_table
+from tests.plain_run import plain_run
 
 G = 9.8106
 K = np.array([[-1335.0, -12.8, -72.6], [35.7, -1338.8, 11.7], [1.4, 14.4, 1335.0]])
@@ -19,23 +20,15 @@ def calibrated(columns: tuple[int, ...]) -> Calibration:
     n = len(PLACES)
     force = np.array([specific_force(mount, head, G) for mount, head in PLACES])
     y = force @ K.T + BIAS + np.random.default_rng(5).normal(0.0, 1.0, (n, 3))
-    unknown = np.full(n, np.nan)
-    run = Run(
-        test="dividing_head",
-        sensor="accelerometer",
+    run = plain_run(
         device="unit",
         channels=tuple(f"acc_{'xyz'[i]}" for i in columns),
         axes=tuple("xyz"[i] for i in columns),
-        unit="code",
         y=y[:, columns],
         y_se=np.ones((n, 3)),
         run=np.zeros(n, np.int64),
-        order=np.arange(n),
         mount=tuple(mount for mount, _ in PLACES),
         head_deg=np.array([head for _, head in PLACES]),
-        set_rate_dps=unknown,
-        temperature_c=unknown,
-        t_s=unknown,
     )
     stated = Conditions(g_mps2=G, u_g_mps2=0.0005, head_u_arcsec=10.0, repeatability=np.nan)
     return calibrate(run, stated)

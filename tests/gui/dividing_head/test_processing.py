@@ -11,6 +11,7 @@ from core.plans.plan import load_plans
 from core.samples.run import Conditions, Run
 from gui.dividing_head.processing import Stand, of_run
 from gui.dividing_head.settings import HeadSettings, Tilter
+from tests.plain_run import plain_run
 
 G = 9.8106
 K = np.array([[1000.0, 5.0, -3.0], [2.0, 1100.0, 4.0], [-6.0, 1.0, 1200.0]])
@@ -23,23 +24,12 @@ def run() -> Run:
     """A triad on a leaning plate, on a tilter."""
     plan = load_plans()["pointer_8"]
     n = len(plan.steps)
-    unknown = np.full(n, np.nan)
-    run = Run(
-        test="dividing_head",
-        sensor="accelerometer",
-        device="PW09",
-        channels=("acc_x", "acc_y", "acc_z"),
-        axes=("x", "y", "z"),
-        unit="code",
+    run = plain_run(
         y=np.zeros((n, 3)),
         y_se=np.full((n, 3), 0.5),
         run=np.zeros(n, dtype=np.int64),
-        order=np.arange(n),
         mount=tuple(step.mount for step in plan.steps),
         head_deg=np.array([step.head_deg for step in plan.steps]),
-        set_rate_dps=unknown,
-        temperature_c=unknown,
-        t_s=unknown,
         conditions=Conditions(g_mps2=G),
     )
     return replace(run, y=stimulus_of(run, G, base=BASE, tilter_deg=TILT).a @ K.T)

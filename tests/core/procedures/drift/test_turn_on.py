@@ -8,6 +8,7 @@ import pytest
 from core.errors import FitError
 from core.procedures.drift.turn_on import TurnOn, check_turn_ons, turn_ons_of, with_ambients
 from core.samples.run import Run
+from tests.plain_run import plain_run
 
 
 def flat(label: str = "a", ambient: float = 20.0, n: int = 200, rate: float = 10.0) -> TurnOn:
@@ -16,7 +17,7 @@ def flat(label: str = "a", ambient: float = 20.0, n: int = 200, rate: float = 10
 
 def record(t: np.ndarray, number: np.ndarray, **columns: np.ndarray) -> Run:
     n = len(t)
-    return Run(
+    return plain_run(
         test="record",
         sensor="gyro",
         device="G7",
@@ -26,10 +27,6 @@ def record(t: np.ndarray, number: np.ndarray, **columns: np.ndarray) -> Run:
         y=np.column_stack([np.arange(n), -np.arange(n)]).astype(float),
         y_se=np.full((n, 2), np.nan),
         run=number,
-        order=np.arange(n),
-        mount=("",) * n,
-        head_deg=np.full(n, np.nan),
-        set_rate_dps=np.full(n, np.nan),
         temperature_c=np.linspace(20.0, 30.0, n),
         t_s=t,
         extra=columns,

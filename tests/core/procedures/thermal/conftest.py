@@ -8,6 +8,7 @@ import pytest
 
 from core.plans.plan import load_plans
 from core.samples.run import Run
+from tests.plain_run import plain_run
 
 G = 9.8106
 PLAN = load_plans()["thermal_8"]
@@ -43,23 +44,14 @@ def chamber(
     y = np.array(rows)
     n = len(y)
     steps = PLAN.steps * len(temperatures)
-    unknown = np.full(n, np.nan)
-    return Run(
-        test="dividing_head",
-        sensor="accelerometer",
-        device="PW09",
+    return plain_run(
         channels=("X", "Y", "Z"),
-        axes=("x", "y", "z"),
-        unit="code",
         y=y + noise * rng.standard_normal(y.shape),
         y_se=np.full_like(y, noise),
         run=np.arange(n) // 8 + 1,
-        order=np.arange(n),
         mount=tuple(step.mount for step in steps),
         head_deg=np.array([step.head_deg for step in steps]),
-        set_rate_dps=unknown,
         temperature_c=np.array(actual),
-        t_s=unknown,
     )
 
 
@@ -67,24 +59,15 @@ def standing(kind: str) -> Run:
     """The public record: ``"rate"`` or ``"acc"``."""
     with gzip.open(RECORD, "rt", encoding="utf-8") as file:
         table = np.genfromtxt(file, delimiter=",", names=True)
-    n = len(table)
     names = tuple(f"{kind}_{axis}" for axis in "xyz")
     y = np.column_stack([table[name] for name in names])
-    unknown = np.full(n, np.nan)
-    return Run(
+    return plain_run(
         test="record",
         sensor="gyro" if kind == "rate" else "accelerometer",
         device="chamber",
         channels=names,
-        axes=("x", "y", "z"),
         unit="deg/s" if kind == "rate" else "m/s^2",
         y=y,
-        y_se=np.full_like(y, np.nan),
-        run=np.ones(n, dtype=int),
-        order=np.arange(n),
-        mount=("",) * n,
-        head_deg=unknown,
-        set_rate_dps=unknown,
         temperature_c=table["temperature_c"],
         t_s=table["t_s"],
     )

@@ -8,6 +8,7 @@ import pytest
 from core.errors import FitError
 from core.procedures.thermal.record import fit_record, residuals
 from core.samples.run import Run
+from tests.plain_run import plain_run
 
 
 def test_the_public_record_as_published(rates: Run, forces: Run):
@@ -81,8 +82,7 @@ def test_a_one_way_ramp_has_no_hysteresis():
 
 def ramp(t: np.ndarray, y: np.ndarray) -> Run:
     n = len(t)
-    unknown = np.full(n, np.nan)
-    return Run(
+    return plain_run(
         test="record",
         sensor="gyro",
         device="",
@@ -90,12 +90,6 @@ def ramp(t: np.ndarray, y: np.ndarray) -> Run:
         axes=("z",),
         unit="deg/s",
         y=y,
-        y_se=np.full_like(y, np.nan),
-        run=np.ones(n, dtype=int),
-        order=np.arange(n),
-        mount=("",) * n,
-        head_deg=unknown,
-        set_rate_dps=unknown,
         temperature_c=t,
         t_s=np.arange(n, dtype=float),
     )
