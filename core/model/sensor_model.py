@@ -1,6 +1,7 @@
 """A sensor is a list of effects."""
 
 from dataclasses import dataclass, replace
+from itertools import accumulate, pairwise
 
 import numpy as np
 
@@ -26,6 +27,12 @@ class SensorModel:
     def parameters(self) -> tuple[Parameter, ...]:
         """All parameters (p,), in the order of the design's columns."""
         return tuple(p for effect in self.effects for p in effect.parameters(self.sensor))
+
+    @property
+    def places(self) -> tuple[slice, ...]:
+        """Where the parameters of each effect stand among all."""
+        ends = list(accumulate(len(effect.parameters(self.sensor)) for effect in self.effects))
+        return tuple(slice(start, end) for start, end in pairwise((0, *ends)))
 
     def design(self, stimulus: Stimulus) -> FloatArray:
         """Return (n, p): the output that one unit of each parameter adds in each row."""

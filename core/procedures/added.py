@@ -155,23 +155,20 @@ def with_effects(
         acting = tuple(one for one in found if _acts(one, own, model.sensor))
         if not acting:
             return plain, ()
-        fit = fit_sensor(SensorModel(model.sensor, (*base, *acting)), own, rows, conditions)
+        model = SensorModel(model.sensor, (*base, *acting))
+        fit = fit_sensor(model, own, rows, conditions)
     fit = replace(fit, parameters=_told_apart(fit.parameters, model.sensor))
-    added: list[AddedEffect] = []
-    place = len(plain.names)
-    for one in acting:
-        count = len(one.parameters(model.sensor))
-        added.append(
-            AddedEffect(
-                one.effect.id,
-                one.effect.name,
-                one.effect.equation,
-                tuple((p.name, value, p.unit) for p, value in one.effect.shape),
-                tuple(range(place, place + count)),
-            )
+    added = tuple(
+        AddedEffect(
+            one.effect.id,
+            one.effect.name,
+            one.effect.equation,
+            tuple((p.name, value, p.unit) for p, value in one.effect.shape),
+            tuple(range(place.start, place.stop)),
         )
-        place += count
-    return fit, tuple(added)
+        for one, place in zip(acting, model.places[len(base) :], strict=True)
+    )
+    return fit, added
 
 
 def response_of(sensor: Sensor, fit: FitResult) -> tuple[float, ...]:

@@ -71,9 +71,7 @@ def model_document(story: Story) -> dict[str, Any]:
         names = story.told.channels
         for name, (model, values) in zip(names, story.ladder.models, strict=True):
             terms: list[dict[str, Any]] = []
-            place = 0
-            for effect in model.effects:
-                own = effect.parameters(model.sensor)
+            for effect, place in zip(model.effects, model.places, strict=True):
                 terms.append(
                     {
                         "effect": effect.id,
@@ -84,12 +82,13 @@ def model_document(story: Story) -> dict[str, Any]:
                             for p, value in effect.shape
                         ],
                         "parameters": [
-                            {"name": p.name, "value": float(v), "unit": p.unit}
-                            for p, v in zip(own, values[place:], strict=False)
+                            {"name": p.name, "value": v, "unit": p.unit}
+                            for p, v in zip(
+                                model.parameters[place], values[place].tolist(), strict=True
+                            )
                         ],
                     }
                 )
-                place += len(own)
             channels.append({"channel": name, "axis": model.sensor.axis, "terms": terms})
     run = story.run
     return {

@@ -27,14 +27,9 @@ def played(story: Story, seed: int) -> FloatArray | None:
 
 def _instant(model: SensorModel, values: FloatArray) -> tuple[SensorModel, FloatArray]:
     """The part of a model that a bench can play."""
-    effects, kept, place = [], list[float](), 0
-    for effect in model.effects:
-        count = len(effect.parameters(model.sensor))
-        if effect.instant:
-            effects.append(effect)
-            kept += values[place : place + count].tolist()
-        place += count
-    return SensorModel(model.sensor, tuple(effects)), frozen(kept)
+    kept = [pair for pair in zip(model.effects, model.places, strict=True) if pair[0].instant]
+    own = np.concatenate([values[place] for _, place in kept]) if kept else np.zeros(0)
+    return SensorModel(model.sensor, tuple(effect for effect, _ in kept)), frozen(own)
 
 
 def _found(ladder: Ladder, models: list[tuple[SensorModel, FloatArray]]) -> Found:

@@ -34,6 +34,15 @@ def test_parameters_follow_the_columns():
     assert units == {"V", "V/(deg/s)", "V/(m/s^2)"}
 
 
+def test_each_effect_has_its_places_among_the_parameters():
+    effects = tuple(CATALOGUE[name] for name in ("bias", "scale_factor", "cross_axis"))
+    model = SensorModel(Sensor("accelerometer", "y", "code"), effects)
+    assert model.places == (slice(0, 1), slice(1, 2), slice(2, 4))
+    for effect, place in zip(model.effects, model.places, strict=True):
+        assert model.parameters[place] == effect.parameters(model.sensor)
+    assert SensorModel(model.sensor, ()).places == ()
+
+
 def test_one_more_effect():
     small = SensorModel(Sensor("gyro", "y", "V"), (CATALOGUE["bias"],))
     larger = small.with_effect(CATALOGUE["scale_factor"])
