@@ -51,13 +51,11 @@ def chosen_of(story: Story, wanted: str) -> Candidate | None:
 def detail_of(candidate: Candidate) -> DetailState:
     """All words about a candidate."""
     effect = CATALOGUE.get(candidate.effect)
-    lines: list[str] = []
+    lines: list[tuple[str, str]] = []
     if effect is not None and effect.seen_as:
-        template = QCoreApplication.translate("Discrepancy", "How it shows: {words}")
-        lines.append(template.format(words=effect.seen_as))
+        lines.append((QCoreApplication.translate("Discrepancy", "How it shows"), effect.seen_as))
     if effect is not None and effect.remedy:
-        template = QCoreApplication.translate("Discrepancy", "What to do: {words}")
-        lines.append(template.format(words=effect.remedy))
+        lines.append((QCoreApplication.translate("Discrepancy", "What to do"), effect.remedy))
     return DetailState(
         candidate.effect,
         candidate.name,
@@ -183,7 +181,7 @@ def _card(number: int, step: Step, seconds: FloatArray) -> ProposalCard:
     words = ""
     if further:
         template = QCoreApplication.translate("Discrepancy", "Fits these rows as well: {names}")
-        words = template.format(names=" · ".join(effect_words(name) for name in further))
+        words = template.format(names=", ".join(effect_words(name) for name in further))
     template = _heading(step)
     return ProposalCard(template.format(number=number), tied, words, others[:_OTHERS])
 

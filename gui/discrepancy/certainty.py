@@ -35,20 +35,21 @@ def certainty_words(step: Step) -> str:
             return QCoreApplication.translate("Discrepancy", "a term of the noise, no fault")
         return QCoreApplication.translate("Discrepancy", "no other name fits")
     if not names:
-        return QCoreApplication.translate("Discrepancy", "or something outside the catalogue")
+        return QCoreApplication.translate(
+            "Discrepancy", "but could also be something outside the catalogue"
+        )
     if UNKNOWN in step.indistinguishable_from:
         template = QCoreApplication.translate(
-            "Discrepancy", "or {names}, or something outside the catalogue"
+            "Discrepancy", "but could also be {names}, or something outside the catalogue"
         )
         return template.format(names=_listed(names))
-    template = QCoreApplication.translate("Discrepancy", "or {names}")
+    template = QCoreApplication.translate("Discrepancy", "but could also be {names}")
     return template.format(names=_listed(names))
 
 
 def _listed(names: list[str]) -> str:
-    words = [effect_words(each) for each in names[:_SHOWN]]
-    listed = " · ".join(words)
+    listed = ", ".join(effect_words(each) for each in names[:_SHOWN])
     if len(names) <= _SHOWN:
         return listed
-    template = QCoreApplication.translate("Discrepancy", "{names} · {count} more")
+    template = QCoreApplication.translate("Discrepancy", "{names} and {count} further names")
     return template.format(names=listed, count=len(names) - _SHOWN)

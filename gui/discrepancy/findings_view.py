@@ -17,12 +17,12 @@ from gui.discrepancy.cause_view import CauseView
 from gui.discrepancy.grade_view import GradeView
 from gui.discrepancy.overview_view import OverviewView
 from gui.discrepancy.state import DetailState, NextCard, StoryState
-from gui.discrepancy.words import unit_words
+from gui.discrepancy.words import printed
 from gui.languages.shown import shown
 from gui.widgets.export_foot import ExportFoot
 from gui.widgets.note_line import NoteLine
 from gui.widgets.page_scroll import PageScroll
-from gui.widgets.word_label import WordLabel
+from gui.widgets.word_label import paragraph
 
 _NEXT, _GRADE, _TRIAL = 1, 2, 3
 """Places of what to measure next, of what the rows can show, and of blind trials."""
@@ -136,7 +136,7 @@ class FindingsView(QWidget):
             text = self.tr("Nothing is undecided: no further measurement is proposed.")
             if tied:
                 text = self.tr("No series that was tried is likely to tell these names apart.")
-            column.insertWidget(0, _text(text))
+            column.insertWidget(0, paragraph(text))
         for place, card in enumerate(cards):
             column.insertWidget(place, self._next(place, card))
 
@@ -147,13 +147,13 @@ class FindingsView(QWidget):
         rows = QVBoxLayout(frame)
         rows.setContentsMargins(unit // 2, unit // 2, unit // 2, unit // 2)
         rows.setSpacing(unit // 4)
-        rows.addWidget(_text(unit_words(shown(card.title)), bold=True))
-        rows.addWidget(_text(unit_words(shown(card.why))))
+        rows.addWidget(paragraph(printed(shown(card.title)), bold=True))
+        rows.addWidget(paragraph(printed(shown(card.why))))
         for number, part in enumerate(card.parts, 1):
-            rows.addWidget(_text(f"{number}. {unit_words(shown(part))}"))
+            rows.addWidget(paragraph(f"{number}. {printed(shown(part))}"))
         rows.addWidget(ChanceBar(card))
         foot = QHBoxLayout()
-        foot.addWidget(_text(card.facts, muted=True), 1)
+        foot.addWidget(paragraph(card.facts, muted=True), 1)
         rows.addLayout(foot)
         if not card.opens:
             return frame
@@ -174,7 +174,9 @@ class FindingsView(QWidget):
         column = self._columns[2]
         _clear(column)
         if state.lights:
-            column.insertWidget(0, _text(self.tr("From which size on these rows name an effect")))
+            column.insertWidget(
+                0, paragraph(self.tr("From which size on these rows name an effect"))
+            )
             column.insertWidget(1, GradeView(state.lights))
 
     def _on_plan(self) -> None:
@@ -210,11 +212,11 @@ def _detail(detail: DetailState) -> QWidget:
     picture.render(detail.key, detail.name)
     words = QVBoxLayout()
     words.setSpacing(unit // 4)
-    words.addWidget(_text(detail.name, bold=True))
+    words.addWidget(paragraph(detail.name, bold=True))
     plain = detail.plain[:1].upper() + detail.plain[1:]
-    words.addWidget(_text(plain if plain.endswith(".") else f"{plain}."))
+    words.addWidget(paragraph(plain if plain.endswith(".") else f"{plain}."))
     if detail.equation:
-        words.addWidget(_text(f"U + {detail.equation}", muted=True))
+        words.addWidget(paragraph(f"U + {detail.equation}", muted=True))
     row = QHBoxLayout()
     row.addWidget(picture, 0, Qt.AlignmentFlag.AlignTop)
     row.addLayout(words, 1)
@@ -222,23 +224,10 @@ def _detail(detail: DetailState) -> QWidget:
     column.setContentsMargins(0, unit // 4, 0, unit // 4)
     column.setSpacing(unit // 4)
     column.addLayout(row)
-    for line in detail.lines:
-        column.addWidget(_text(line if line.endswith(".") else f"{line}."))
+    for told, words in detail.lines:
+        line = f"{shown(told)}: {shown(words)}"
+        column.addWidget(paragraph(line if line.endswith(".") else f"{line}."))
     return frame
-
-
-def _text(text: str, *, bold: bool = False, muted: bool = False) -> WordLabel:
-    label = WordLabel(text)
-    label.setWordWrap(True)
-    label.setTextFormat(Qt.TextFormat.PlainText)
-    label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-    if bold:
-        font = label.font()
-        font.setBold(True)
-        label.setFont(font)
-    if muted:
-        label.setForegroundRole(label.palette().ColorRole.PlaceholderText)
-    return label
 
 
 def _widgets(column: QVBoxLayout) -> list[QWidget]:

@@ -71,7 +71,7 @@ def _rung(number: int, step: Step, seconds: FloatArray, *, proposed: bool) -> Ru
     )
 
 
-def _facts(gap: Gap, held_out: float, evidence: float = math.nan) -> str:
+def _facts(gap: Gap, held_out: float, evidence: float = math.nan) -> tuple[str, ...]:
     parts = [
         QCoreApplication.translate("Discrepancy", "χ²/ν {value}").format(
             value=significant(gap.chi2_red, 3)
@@ -85,7 +85,7 @@ def _facts(gap: Gap, held_out: float, evidence: float = math.nan) -> str:
         parts.append(template.format(value=fixed(evidence, 0)))
     elif not math.isnan(gap.p_value):
         parts.append(p_words(gap.p_value))
-    return " · ".join(parts)
+    return tuple(parts)
 
 
 def _floor(told: Explanation) -> str:

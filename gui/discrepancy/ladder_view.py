@@ -21,7 +21,7 @@ from gui.widgets.number_text import fixed
 from gui.widgets.page_scroll import PageScroll
 from gui.widgets.states import Tone
 from gui.widgets.theme import current_theme
-from gui.widgets.word_label import WordLabel
+from gui.widgets.word_label import paragraph
 
 _LEAST, _WIDEST = 0.5, 3.0
 _NEAR_FLOOR = 1.3
@@ -108,11 +108,11 @@ class RungView(QWidget):
         self._number = rung.number
         unit = self.fontMetrics().height()
         added, _, name = rung.title.partition("+ ")
-        title = _words(rung.title if added else f"+ {shown(name)}", bold=True)
+        title = paragraph(rung.title if added else f"+ {shown(name)}", bold=True)
         head = QHBoxLayout()
         head.addWidget(title, 1)
         if rung.proposed:
-            head.addWidget(_words(self.tr("proposed"), muted=True), 0, Qt.AlignmentFlag.AlignTop)
+            head.addWidget(paragraph(self.tr("proposed"), muted=True), 0, Qt.AlignmentFlag.AlignTop)
         elif rung.number and not rung.kept:
             back = QToolButton()
             back.setText("✕")
@@ -129,12 +129,13 @@ class RungView(QWidget):
             sure = QHBoxLayout()
             sure.setSpacing(unit // 4)
             sure.addWidget(Light(rung.tone), 0, Qt.AlignmentFlag.AlignTop)
-            sure.addWidget(_words(rung.certainty), 1)
+            sure.addWidget(paragraph(rung.certainty), 1)
             column.addLayout(sure)
         column.addWidget(GapBar(rung, largest))
-        column.addWidget(_words(rung.facts, muted=True))
+        facts = " · ".join(shown(fact) for fact in rung.facts)
+        column.addWidget(paragraph(facts, muted=True))
         for line in rung.parameters:
-            column.addWidget(_words(line))
+            column.addWidget(paragraph(line))
 
     def _on_back(self) -> None:
         self.undone.emit(self._number)
@@ -203,17 +204,3 @@ def largest_of(rungs: tuple[RungState, ...]) -> float:
     """End of the scale of all bars."""
     sizes = [size for rung in rungs for size in (rung.gap, rung.held_out) if math.isfinite(size)]
     return max([_WIDEST, *(1.05 * size for size in sizes)])
-
-
-def _words(text: str, *, bold: bool = False, muted: bool = False) -> WordLabel:
-    label = WordLabel(text)
-    label.setWordWrap(True)
-    label.setTextFormat(Qt.TextFormat.PlainText)
-    label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-    if bold:
-        font = label.font()
-        font.setBold(True)
-        label.setFont(font)
-    if muted:
-        label.setForegroundRole(label.palette().ColorRole.PlaceholderText)
-    return label

@@ -10,7 +10,7 @@ from gui.discrepancy.working import RECORD, Story
 from gui.widgets.number_text import fixed, grouped
 
 
-def title_of(story: Story) -> str:
+def measured_words(story: Story) -> str:
     """The unit, and how much was measured."""
     run, count = story.run, len(story.told.channels)
     if run.test == RECORD:
@@ -81,10 +81,12 @@ def advice_of(story: Story, *, rejected: bool, alone: str) -> str:
         if rejected:
             return QCoreApplication.translate("Discrepancy", "Find (Space) looks for the reason.")
         return QCoreApplication.translate("Discrepancy", "Find (Space) looks closer.")
-    return _after_search(story, story.proposed, record=record)
+    return after_search(story, story.proposed)
 
 
-def _after_search(story: Story, best: Explanation, *, record: bool) -> str:
+def after_search(story: Story, best: Explanation) -> str:
+    """What is to be done by what was found."""
+    record = story.run.test == RECORD
     if best.verdict == "adequate":
         return QCoreApplication.translate(
             "Discrepancy",

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QVBoxLayout, QWi
 
 from gui.discrepancy.grade_view import Light
 from gui.discrepancy.state import StepRow, StoryState
-from gui.discrepancy.words import unit_words
+from gui.discrepancy.words import printed
 from gui.languages.shown import shown, shown_number
 from gui.widgets.states import Tone
 from gui.widgets.theme import current_theme
@@ -76,7 +76,7 @@ class OverviewView(QWidget):
         for label in (self.gap, self.floors):
             label.setVisible(bool(state.gaps))
         self.gap.setAccessibleName(f"{shown_number(state.gaps)} {self.floors.text()}")
-        self.advice.setText(unit_words(shown(state.advice)))
+        self.advice.setText(printed(shown(state.advice)))
         for widget in (self.advice, self._arrow):
             widget.setVisible(bool(state.advice))
         self._colour()

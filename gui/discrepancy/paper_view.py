@@ -14,6 +14,7 @@ from gui.discrepancy.cause_view import paint_cause
 from gui.discrepancy.ladder_view import GapBar, largest_of
 from gui.discrepancy.plots_view import RowsPlot
 from gui.discrepancy.state import PictureState, RungState
+from gui.languages.shown import shown
 from gui.widgets.theme import FAMILY, current_theme, load_fonts, paper_look
 
 _SHARP = 3
@@ -46,7 +47,9 @@ def ladder_picture(rungs: tuple[RungState, ...]) -> str:
         largest = largest_of(rungs)
         for place, rung in enumerate(rungs):
             painter.setPen(QColor(current_theme().text))
-            painter.drawText(QPointF(0, place * row + _LINE), rung.title)
+            plus, _, name = rung.title.rpartition("+ ")
+            title = shown(name) if rung.title == name else f"{plus}+ {shown(name)}"
+            painter.drawText(QPointF(0, place * row + _LINE), title)
             painter.save()
             painter.translate(0, place * row + 1.3 * _LINE)
             GapBar(rung, largest).paint(painter, QSize(660, round(1.4 * _LINE)))

@@ -113,21 +113,18 @@ def _spectrum(where: Where, unit: str) -> PictureState:
 
 
 def _title(where: Where, name: str) -> str:
-    if name != where.regressor:
-        # A word within a sentence; the name of a column stays as it is.
-        name = name[:1].lower() + name[1:]
     if math.isnan(where.p_value):
         template = QCoreApplication.translate(
-            "Discrepancy", "What the effects so far leave against {name}: largest {place}"
+            "Discrepancy", "{name}: what the effects so far leave, largest {place}"
         )
         return template.format(name=name, place=place_words(where))
     if where.p_value < SIGNIFICANT:
         template = QCoreApplication.translate(
-            "Discrepancy", "There is structure against {name}: {p}, {place}"
+            "Discrepancy", "{name}: structure beyond the noise, {p}, largest {place}"
         )
     else:
         template = QCoreApplication.translate(
-            "Discrepancy", "No structure against {name} beyond the noise: {p}, largest {place}"
+            "Discrepancy", "{name}: no structure beyond the noise, {p}, largest {place}"
         )
     return template.format(name=name, p=p_words(where.p_value), place=place_words(where))
 

@@ -19,7 +19,7 @@ from gui.discrepancy.cards import (
 )
 from gui.discrepancy.handed import addition_of
 from gui.discrepancy.ladder_rows import regressors_of, rungs_of
-from gui.discrepancy.overview import advice_of, found_of, gaps_of, notes_of, title_of
+from gui.discrepancy.overview import advice_of, found_of, gaps_of, measured_words, notes_of
 from gui.discrepancy.picture import picture_of, where_of
 from gui.discrepancy.rerun import played
 from gui.discrepancy.scene import (
@@ -124,7 +124,7 @@ class DiscrepancyPresenter(QObject):
         outputs = story.outputs or told.channels
         channel = outputs.index(told.channels[0]) if story.outputs else self._channel
         return StoryState(
-            title=title_of(story),
+            title=measured_words(story),
             source=" + ".join(path.name for path in story.paths),
             verdict=verdict,
             summary=summary,

@@ -17,7 +17,7 @@ class RungState:
     title : what was added
     gap : what is left with it, in noise floors; NaN where nothing can be said
     held_out : the same of rows that were left out of the fit; NaN where it was not computed
-    facts : chi-square, evidence and the like, one line
+    facts : chi-square, evidence and the like, for one line
     parameters : estimates with their uncertainties, one line each
     tone, certainty : how sure its name is, as a sign and in words; empty for the plain model
     proposed : found, and not yet added
@@ -28,7 +28,7 @@ class RungState:
     title: str
     gap: float
     held_out: float
-    facts: str
+    facts: tuple[str, ...]
     parameters: tuple[str, ...]
     tone: Tone = Tone.IDLE
     certainty: str = ""
@@ -116,14 +116,14 @@ class DetailState:
     Parameters
     ----------
     key, name, plain, equation : identifier, standard name, plain words, the term it adds
-    lines : further sentences: how it shows, what to do about it
+    lines : how it shows, what to do about it: what is told, and the words
     """
 
     key: str
     name: str
     plain: str
     equation: str
-    lines: tuple[str, ...]
+    lines: tuple[tuple[str, str], ...]
 
 
 @dataclass(frozen=True, slots=True)

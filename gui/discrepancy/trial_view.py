@@ -3,6 +3,7 @@
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtWidgets import (
     QHBoxLayout,
+    QLabel,
     QListWidget,
     QListWidgetItem,
     QPushButton,
@@ -38,6 +39,8 @@ class TrialView(QWidget):
         self.names.setSpacing(unit // 8)
         self.names.itemChanged.connect(self._on_ticked)
         self.reveal, self.again, self.kinds = QPushButton(), QPushButton(), ChoiceField()
+        self._kinds = QLabel()
+        self._kinds.setBuddy(self.kinds)
         self.kinds.setMinimumContentsLength(10)
         self.kinds.setSizeAdjustPolicy(
             ChoiceField.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
@@ -48,7 +51,10 @@ class TrialView(QWidget):
         hands = QHBoxLayout()
         hands.addWidget(self.reveal)
         hands.addWidget(self.again)
-        hands.addWidget(self.kinds, 1)
+        hands.addStretch(1)
+        kinds = QHBoxLayout()
+        kinds.addWidget(self._kinds)
+        kinds.addWidget(self.kinds, 1)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, unit // 2, unit // 2, unit // 2)
         column.setSpacing(unit // 3)
@@ -57,6 +63,7 @@ class TrialView(QWidget):
         column.addWidget(self.names, 100)
         column.addWidget(self.answer)
         column.addLayout(hands)
+        column.addLayout(kinds)
         column.addWidget(self.lines)
         column.addWidget(self.score)
         # Takes the room of the names once the seal is open.
@@ -147,8 +154,8 @@ class TrialView(QWidget):
         self.names.setAccessibleName(self.tr("Names to choose from"))
         self.reveal.setText(self.tr("Reveal"))
         self.again.setText(self.tr("Next Case"))
-        self.kinds.setAccessibleName(self.tr("Kind of the next case"))
-        self.kinds.setToolTip(self.kinds.accessibleName())
+        self._kinds.setText(self.tr("The next case is"))
+        self.kinds.setAccessibleName(self._kinds.text())
 
 
 _KEY = Qt.ItemDataRole.UserRole

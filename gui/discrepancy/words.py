@@ -1,6 +1,7 @@
 """Words for what the engine names by keys."""
 
 import math
+import re
 from collections.abc import Sequence
 
 from PySide6.QtCore import QCoreApplication
@@ -26,6 +27,7 @@ _PRINTED = (
     *(("degC", "°C"), ("deg/s", "°/s"), ("^2", "²"), ("^3", "³")),
     *(("sqrt(Hz)", "√Hz"), ("sqrt(h)", "√h"), ("sqrt(s)", "√s")),
 )
+_MICRO, _DEGREES = re.compile(r"\bus\b"), re.compile(r"(?<=\d) deg\b(?!/)")
 _FROM = "from_row"
 _SMALL = 1e-3
 _RAISED = str.maketrans(f"0123456789{MINUS}", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
@@ -115,10 +117,15 @@ def plain_words(text: str) -> str:
 
 def unit_words(unit: str) -> str:
     """A unit as it is printed."""
-    text = {"deg": "°", "arcsec": "″", "us": "µs"}.get(unit, unit)
-    for plain, printed in _PRINTED:
-        text = text.replace(plain, printed)
+    text = _MICRO.sub("µs", {"deg": "°", "arcsec": "″"}.get(unit, unit)).replace("*", "·")
+    for plain, sign in _PRINTED:
+        text = text.replace(plain, sign)
     return text
+
+
+def printed(text: str) -> str:
+    """A sentence with its units as they are printed."""
+    return _DEGREES.sub("°", text.replace("degC", "°C"))
 
 
 def effect_words(identifier: str) -> str:

@@ -39,6 +39,7 @@ _WORDS = (
     "positions", "problem", "rate", "rates", "row", "rows", "turn-on", "turn-ons",
     "session", "calibration", "legacy", "record", "means", "noise", "finished", "open", "good",
     "doubt", "bad", "damaged", "bias", "differs", "cross axis x", "cross axis y", "cross axis z",
+    "Saturation", "Warm-up", "Outlier", "Drop-outs", "Clipping", "Hysteresis",
     "{n} files", "{n} headings", "{n} positions", "{n} rates", "{n} rows", "{n} samples",
 )  # fmt: skip
 """What sentences are put together from while the program runs."""

@@ -4826,13 +4826,13 @@ Every session and calibration of the folder of sessions comes here by itself. Im
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
-            <source>How it shows: {words}</source>
-            <translation>Как проявляется: {words}</translation>
+            <source>How it shows</source>
+            <translation>Как проявляется</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
-            <source>What to do: {words}</source>
-            <translation>Что делать: {words}</translation>
+            <source>What to do</source>
+            <translation>Что делать</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
@@ -4986,23 +4986,23 @@ Every session and calibration of the folder of sessions comes here by itself. Im
         </message>
         <message>
             <location filename="../../gui/discrepancy/certainty.py" />
-            <source>or something outside the catalogue</source>
-            <translation>или что-то вне каталога</translation>
+            <source>but could also be something outside the catalogue</source>
+            <translation>но может быть и чем-то вне каталога</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/certainty.py" />
-            <source>or {names}, or something outside the catalogue</source>
-            <translation>или {names}, или что-то вне каталога</translation>
+            <source>but could also be {names}, or something outside the catalogue</source>
+            <translation>но может быть и {names} или что-то вне каталога</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/certainty.py" />
-            <source>or {names}</source>
-            <translation>или {names}</translation>
+            <source>but could also be {names}</source>
+            <translation>но может быть и {names}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/certainty.py" />
-            <source>{names} · {count} more</source>
-            <translation>{names} · ещё {count}</translation>
+            <source>{names} and {count} further names</source>
+            <translation>{names} и ещё названий: {count}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/exporting.py" />
@@ -5176,18 +5176,18 @@ Every session and calibration of the folder of sessions comes here by itself. Im
         </message>
         <message>
             <location filename="../../gui/discrepancy/picture.py" />
-            <source>What the effects so far leave against {name}: largest {place}</source>
-            <translation>Что оставляют добавленные эффекты по {name}: наибольшее {place}</translation>
+            <source>{name}: what the effects so far leave, largest {place}</source>
+            <translation>{name}: что оставляют добавленные эффекты, наибольшее {place}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/picture.py" />
-            <source>There is structure against {name}: {p}, {place}</source>
-            <translation>Есть структура по {name}: {p}, {place}</translation>
+            <source>{name}: structure beyond the noise, {p}, largest {place}</source>
+            <translation>{name}: структура сверх шума, {p}, наибольшее {place}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/picture.py" />
-            <source>No structure against {name} beyond the noise: {p}, largest {place}</source>
-            <translation>По {name} нет структуры сверх шума: {p}, наибольшее {place}</translation>
+            <source>{name}: no structure beyond the noise, {p}, largest {place}</source>
+            <translation>{name}: структуры сверх шума нет, {p}, наибольшее {place}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/presenter.py" />
@@ -5206,13 +5206,13 @@ Every session and calibration of the folder of sessions comes here by itself. Im
         </message>
         <message>
             <location filename="../../gui/discrepancy/report.py" />
-            <source>{count} rows of {channels}, {files}</source>
-            <translation>{count} [строка|строки|строк] {channels}, {files}</translation>
+            <source>The ladder</source>
+            <translation>Лестница</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/report.py" />
-            <source>The ladder</source>
-            <translation>Лестница</translation>
+            <source>times the noise floor; 1 is the best</source>
+            <translation>уровней шума; лучше всего — 1</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/report.py" />
@@ -5236,8 +5236,8 @@ Every session and calibration of the folder of sessions comes here by itself. Im
         </message>
         <message>
             <location filename="../../gui/discrepancy/report.py" />
-            <source>gap: rms of the whitened residuals; 1 is the noise floor, {size} {unit} rms</source>
-            <translation>расхождение: СКО отбелённых остатков; 1 — уровень шума, {size} {unit} СКО</translation>
+            <source>gap: rms of the whitened residuals; 1 (dotted) is the noise floor, {size} {unit} rms; the stroke: the gap of rows that were left out of the fit</source>
+            <translation>расхождение: СКО отбелённых остатков; 1 (пунктир) — уровень шума, {size} {unit} СКО; черта: расхождение строк, исключённых из оценки</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/report.py" />
@@ -5248,6 +5248,11 @@ Every session and calibration of the folder of sessions comes here by itself. Im
             <location filename="../../gui/discrepancy/report.py" />
             <source>Residual of the plain model</source>
             <translation>Остаток простой модели</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/report.py" />
+            <source>Points: rows. Line: their smooth structure. Band: where all means of a right model stay (95 %); those that leave it are diamonds, and their stretches are tinted.</source>
+            <translation>Точки: строки. Линия: их гладкая структура. Полоса: где остаются все средние правильной модели (95 %); те, что выходят из неё, — ромбы, а их участки затенены.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/report.py" />
@@ -8272,11 +8277,6 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         </message>
         <message>
             <location filename="../../gui/dividing_head/formats.py" />
-            <source>legacy {key}</source>
-            <translation>старый формат {key}</translation>
-        </message>
-        <message>
-            <location filename="../../gui/dividing_head/formats.py" />
             <source>Run file of the positions</source>
             <translation>Файл серии с положениями</translation>
         </message>
@@ -9300,6 +9300,11 @@ Without a command the window opens.</translation>
             <translation>накопление не началось</translation>
         </message>
         <message>
+            <location filename="../../gui/measuring/formats.py" />
+            <source>legacy {id}</source>
+            <translation>legacy {id}</translation>
+        </message>
+        <message>
             <location filename="../../gui/measuring/head_words.py" />
             <source>Turn to {angle_words}</source>
             <translation>Задайте {angle_words}</translation>
@@ -9628,11 +9633,6 @@ Without a command the window opens.</translation>
             <location filename="../../gui/rate_table/demo.py" />
             <source>legacy rotation_table</source>
             <translation>legacy rotation_table</translation>
-        </message>
-        <message>
-            <location filename="../../gui/rate_table/formats.py" />
-            <source>legacy {id}</source>
-            <translation>legacy {id}</translation>
         </message>
         <message>
             <location filename="../../gui/rate_table/formats.py" />
@@ -10781,6 +10781,26 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/followups.py" />
+            <source>Where they differ most, {len} positions</source>
+            <translation>Где они различаются больше всего, положений: {len}</translation>
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/followups.py" />
+            <source>angles at which the tied effects read most differently, in mixed order</source>
+            <translation>углы, при которых связанные эффекты читаются наиболее различно, в смешанном порядке</translation>
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/followups.py" />
+            <source>All mountings twice, twice as dense</source>
+            <translation>Все установки дважды, вдвое гуще</translation>
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/followups.py" />
+            <source>rig, dial and sensor apart, and marks between those of the first plan</source>
+            <translation>стенд, лимб и датчик порознь, и отметки между теми, что в первом плане</translation>
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/followups.py" />
             <source>Reversed sweep</source>
             <translation>Проход в обратном направлении</translation>
         </message>
@@ -10913,16 +10933,6 @@ Without a command the window opens.</translation>
             <location filename="../../core/discrepancy/followups.py" />
             <source>another cross axis is vertical</source>
             <translation>вертикальна другая поперечная ось</translation>
-        </message>
-        <message>
-            <location filename="../../core/discrepancy/followups.py" />
-            <source>All mountings twice, twice as dense</source>
-            <translation>Все установки дважды, вдвое гуще</translation>
-        </message>
-        <message>
-            <location filename="../../core/discrepancy/followups.py" />
-            <source>rig, dial and sensor apart, and marks between those of the first plan</source>
-            <translation>стенд, лимб и датчик порознь, и отметки между теми, что в первом плане</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/ladder.py" />
@@ -16276,6 +16286,36 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../gui/languages/plain_texts.py" />
+            <source>Saturation</source>
+            <translation>Насыщение</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>Warm-up</source>
+            <translation>Прогрев</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>Outlier</source>
+            <translation>Выброс</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>Drop-outs</source>
+            <translation>Пропуски</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>Clipping</source>
+            <translation>Ограничение</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>Hysteresis</source>
+            <translation>Гистерезис</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
             <source>{n} files</source>
             <translation>файлов: {n}</translation>
         </message>
@@ -16671,8 +16711,8 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_view.py" />
-            <source>Kind of the next case</source>
-            <translation>Вид следующего случая</translation>
+            <source>The next case is</source>
+            <translation>Следующий случай —</translation>
         </message>
     </context>
     <context>

@@ -4826,13 +4826,13 @@ Every session and calibration of the folder of sessions comes here by itself. Im
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
-            <source>How it shows: {words}</source>
-            <translation>Як виявляється: {words}</translation>
+            <source>How it shows</source>
+            <translation>Як проявляється</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
-            <source>What to do: {words}</source>
-            <translation>Що робити: {words}</translation>
+            <source>What to do</source>
+            <translation>Що робити</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
@@ -4986,23 +4986,23 @@ Every session and calibration of the folder of sessions comes here by itself. Im
         </message>
         <message>
             <location filename="../../gui/discrepancy/certainty.py" />
-            <source>or something outside the catalogue</source>
-            <translation>або щось поза каталогом</translation>
+            <source>but could also be something outside the catalogue</source>
+            <translation>але може бути й чимось поза каталогом</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/certainty.py" />
-            <source>or {names}, or something outside the catalogue</source>
-            <translation>або {names}, або щось поза каталогом</translation>
+            <source>but could also be {names}, or something outside the catalogue</source>
+            <translation>але може бути й {names} або щось поза каталогом</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/certainty.py" />
-            <source>or {names}</source>
-            <translation>або {names}</translation>
+            <source>but could also be {names}</source>
+            <translation>але може бути й {names}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/certainty.py" />
-            <source>{names} · {count} more</source>
-            <translation>{names} · ще {count}</translation>
+            <source>{names} and {count} further names</source>
+            <translation>{names} та ще назв: {count}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/exporting.py" />
@@ -5176,18 +5176,18 @@ Every session and calibration of the folder of sessions comes here by itself. Im
         </message>
         <message>
             <location filename="../../gui/discrepancy/picture.py" />
-            <source>What the effects so far leave against {name}: largest {place}</source>
-            <translation>Що лишають додані ефекти за {name}: найбільше {place}</translation>
+            <source>{name}: what the effects so far leave, largest {place}</source>
+            <translation>{name}: що лишають додані ефекти, найбільше {place}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/picture.py" />
-            <source>There is structure against {name}: {p}, {place}</source>
-            <translation>Є структура за {name}: {p}, {place}</translation>
+            <source>{name}: structure beyond the noise, {p}, largest {place}</source>
+            <translation>{name}: структура понад шум, {p}, найбільше {place}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/picture.py" />
-            <source>No structure against {name} beyond the noise: {p}, largest {place}</source>
-            <translation>За {name} немає структури понад шум: {p}, найбільше {place}</translation>
+            <source>{name}: no structure beyond the noise, {p}, largest {place}</source>
+            <translation>{name}: структури понад шум немає, {p}, найбільше {place}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/presenter.py" />
@@ -5206,13 +5206,13 @@ Every session and calibration of the folder of sessions comes here by itself. Im
         </message>
         <message>
             <location filename="../../gui/discrepancy/report.py" />
-            <source>{count} rows of {channels}, {files}</source>
-            <translation>{count} [рядок|рядки|рядків] {channels}, {files}</translation>
+            <source>The ladder</source>
+            <translation>Драбина</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/report.py" />
-            <source>The ladder</source>
-            <translation>Драбина</translation>
+            <source>times the noise floor; 1 is the best</source>
+            <translation>рівнів шуму; найкраще — 1</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/report.py" />
@@ -5236,8 +5236,8 @@ Every session and calibration of the folder of sessions comes here by itself. Im
         </message>
         <message>
             <location filename="../../gui/discrepancy/report.py" />
-            <source>gap: rms of the whitened residuals; 1 is the noise floor, {size} {unit} rms</source>
-            <translation>розбіжність: СКВ вибілених залишків; 1 — рівень шуму, {size} {unit} СКВ</translation>
+            <source>gap: rms of the whitened residuals; 1 (dotted) is the noise floor, {size} {unit} rms; the stroke: the gap of rows that were left out of the fit</source>
+            <translation>розбіжність: СКВ вибілених залишків; 1 (пунктир) — рівень шуму, {size} {unit} СКВ; риска: розбіжність рядків, вилучених з оцінки</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/report.py" />
@@ -5248,6 +5248,11 @@ Every session and calibration of the folder of sessions comes here by itself. Im
             <location filename="../../gui/discrepancy/report.py" />
             <source>Residual of the plain model</source>
             <translation>Залишок простої моделі</translation>
+        </message>
+        <message>
+            <location filename="../../gui/discrepancy/report.py" />
+            <source>Points: rows. Line: their smooth structure. Band: where all means of a right model stay (95 %); those that leave it are diamonds, and their stretches are tinted.</source>
+            <translation>Точки: рядки. Лінія: їх гладка структура. Смуга: де лишаються всі середні правильної моделі (95 %); ті, що виходять з неї, — ромби, а їх ділянки затінено.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/report.py" />
@@ -8272,11 +8277,6 @@ Live curve (Space) draws the curve of the connected device while it runs.</sourc
         </message>
         <message>
             <location filename="../../gui/dividing_head/formats.py" />
-            <source>legacy {key}</source>
-            <translation>старий формат {key}</translation>
-        </message>
-        <message>
-            <location filename="../../gui/dividing_head/formats.py" />
             <source>Run file of the positions</source>
             <translation>Файл серії з положеннями</translation>
         </message>
@@ -9300,6 +9300,11 @@ Without a command the window opens.</translation>
             <translation>накопичення не почалося</translation>
         </message>
         <message>
+            <location filename="../../gui/measuring/formats.py" />
+            <source>legacy {id}</source>
+            <translation>legacy {id}</translation>
+        </message>
+        <message>
             <location filename="../../gui/measuring/head_words.py" />
             <source>Turn to {angle_words}</source>
             <translation>Задайте {angle_words}</translation>
@@ -9628,11 +9633,6 @@ Without a command the window opens.</translation>
             <location filename="../../gui/rate_table/demo.py" />
             <source>legacy rotation_table</source>
             <translation>legacy rotation_table</translation>
-        </message>
-        <message>
-            <location filename="../../gui/rate_table/formats.py" />
-            <source>legacy {id}</source>
-            <translation>legacy {id}</translation>
         </message>
         <message>
             <location filename="../../gui/rate_table/formats.py" />
@@ -10781,6 +10781,26 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/followups.py" />
+            <source>Where they differ most, {len} positions</source>
+            <translation>Де вони різняться найбільше, положень: {len}</translation>
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/followups.py" />
+            <source>angles at which the tied effects read most differently, in mixed order</source>
+            <translation>кути, за яких пов'язані ефекти читаються найрізніше, у мішаному порядку</translation>
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/followups.py" />
+            <source>All mountings twice, twice as dense</source>
+            <translation>Усі встановлення двічі, удвічі густіше</translation>
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/followups.py" />
+            <source>rig, dial and sensor apart, and marks between those of the first plan</source>
+            <translation>стенд, шкала і датчик окремо, і позначки між тими, що в першому плані</translation>
+        </message>
+        <message>
+            <location filename="../../core/discrepancy/followups.py" />
             <source>Reversed sweep</source>
             <translation>Прохід у зворотному напрямі</translation>
         </message>
@@ -10913,16 +10933,6 @@ Without a command the window opens.</translation>
             <location filename="../../core/discrepancy/followups.py" />
             <source>another cross axis is vertical</source>
             <translation>вертикальною є інша поперечна вісь</translation>
-        </message>
-        <message>
-            <location filename="../../core/discrepancy/followups.py" />
-            <source>All mountings twice, twice as dense</source>
-            <translation>Усі встановлення двічі, удвічі густіше</translation>
-        </message>
-        <message>
-            <location filename="../../core/discrepancy/followups.py" />
-            <source>rig, dial and sensor apart, and marks between those of the first plan</source>
-            <translation>стенд, шкала і датчик окремо, і позначки між тими, що в першому плані</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/ladder.py" />
@@ -16276,6 +16286,36 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../gui/languages/plain_texts.py" />
+            <source>Saturation</source>
+            <translation>Насичення</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>Warm-up</source>
+            <translation>Прогрівання</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>Outlier</source>
+            <translation>Викид</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>Drop-outs</source>
+            <translation>Пропуски</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>Clipping</source>
+            <translation>Обмеження</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
+            <source>Hysteresis</source>
+            <translation>Гістерезис</translation>
+        </message>
+        <message>
+            <location filename="../../gui/languages/plain_texts.py" />
             <source>{n} files</source>
             <translation>файлів: {n}</translation>
         </message>
@@ -16671,8 +16711,8 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/trial_view.py" />
-            <source>Kind of the next case</source>
-            <translation>Вид наступного випадку</translation>
+            <source>The next case is</source>
+            <translation>Наступний випадок —</translation>
         </message>
     </context>
     <context>

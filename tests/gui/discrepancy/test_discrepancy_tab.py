@@ -102,7 +102,7 @@ def test_the_regressor_is_chosen_in_the_list(qtbot: QtBot, tab: DiscrepancyTab, 
     assert picture is not None
     assert picture.x_label == "Time, s"
     assert tab.view.plots is not None
-    assert "time" in tab.view.plots.title.text()
+    assert "Time: " in tab.view.plots.title.text()
 
 
 def test_the_next_measurement_is_handed_over_as_a_plan(

@@ -150,7 +150,7 @@ def test_at_one_glance_verdict_gap_names_and_what_to_do(story: Story):
     assert before > 4 > 1.3 > after
     (row,) = found_of(story)
     assert row.name == "Second-order nonlinearity K2"
-    assert row.certainty == "or Head eccentricity"
+    assert row.certainty == "but could also be Head eccentricity"
     assert not row.added
     first = following_of(story)[0]
     assert first.title in advice_of(story, rejected=True, alone="")
@@ -168,12 +168,12 @@ def test_each_step_tells_how_sure_its_name_is(story: Story):
         (
             replace(step, indistinguishable_from=(UNKNOWN,)),
             Tone.DOUBT,
-            "or something outside the catalogue",
+            "but could also be something outside the catalogue",
         ),
         (
             replace(step, indistinguishable_from=("head_eccentricity", UNKNOWN)),
             Tone.DOUBT,
-            "or Head eccentricity, or something outside the catalogue",
+            "but could also be Head eccentricity, or something outside the catalogue",
         ),
         (replace(step, effect=UNKNOWN), Tone.BAD, "no effect of the catalogue fits"),
         (replace(step, effect="outlier"), Tone.GOOD, "no other name fits"),
@@ -191,7 +191,7 @@ def test_names_that_fit_but_did_not_compete_stand_on_the_card(story: Story):
     )
     (card,) = proposals_of(replace(story, proposed=replace(story.proposed, steps=(wide,))))
     assert card.title == "1. These cannot be told apart yet"
-    assert card.same == "Fits these rows as well: Settling lag · Hysteresis"
+    assert card.same == "Fits these rows as well: Settling lag, Hysteresis"
 
 
 def test_advice_follows_the_verdict(story: Story):
