@@ -6,7 +6,7 @@ is found in the means of some 360 blocks by the search that runs use as well.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -16,7 +16,7 @@ from core.discrepancy.gaps import gap_of, held_out_gap, predicted
 from core.discrepancy.locate import locate
 from core.discrepancy.power import invisible_of, smallest_of
 from core.discrepancy.record_advise import advise_record
-from core.discrepancy.record_doubts import has_harmonics, moves_between, there_and_back
+from core.discrepancy.record_doubts import doubtful_names, there_and_back
 from core.discrepancy.record_engine import Found, search_record
 from core.discrepancy.record_facts import Fact, facts_of
 from core.discrepancy.record_floor import wanders
@@ -100,17 +100,17 @@ def _story(
     before = gap_of(engine, plain)
     floor = engine.floor.result(run.unit)
     left = locate(engine, state) if state.slots else ()
-    slow = steps_of(engine, state, 0)
+    slow = tuple(
+        _tied(step, names)
+        for step, names in zip(steps_of(engine, state, 0), found.tied, strict=True)
+    )
     if found.unknown is not None:
         slow = (*slow, unknown_step(engine, state, found.unknown))
     noise = replace(floor, ratios={})
     slow = doubted(slow, noise, left, engine.settings.alpha)
     slow = there_and_back([_with_ties(step) for step in slow])
-    doubtful = {
-        "pickup": has_harmonics(engine, state),
-        "telegraph": moves_between(engine, state),
-    }
-    slow = tuple(_in_doubt(step) if doubtful.get(step.effect) else step for step in slow)
+    doubtful = {*found.doubtful, *doubtful_names(engine, state)}
+    slow = tuple(_tied(step, (UNKNOWN,)) if step.effect in doubtful else step for step in slow)
     after = slow[-1].after if slow else before
     curve = slow[-1].curve if found.unknown is not None else np.zeros(len(problem.y))
     terms, white = noise_terms(
@@ -156,19 +156,20 @@ def _story(
 
 def _with_ties(step: Step) -> Step:
     """A step with all names as good as its own, even where unknown structure is better still."""
-    names = [
-        one.effect
-        for one in step.candidates
-        if one.effect != step.effect and one.evidence > step.evidence - _TIE
-    ]
-    names = dict.fromkeys((*step.indistinguishable_from, *names))
-    return replace(step, indistinguishable_from=tuple(names))
+    return _tied(
+        step,
+        [
+            one.effect
+            for one in step.candidates
+            if one.effect != step.effect and one.evidence > step.evidence - _TIE
+        ],
+    )
 
 
-def _in_doubt(step: Step) -> Step:
-    """A step that something unknown could be as well."""
-    names = dict.fromkeys((*step.indistinguishable_from, UNKNOWN))
-    return replace(step, indistinguishable_from=tuple(names))
+def _tied(step: Step, names: Iterable[str]) -> Step:
+    """A step with further names that it could be as well."""
+    every = dict.fromkeys((*step.indistinguishable_from, *names))
+    return replace(step, indistinguishable_from=tuple(every))
 
 
 def _without_curves(samples: Samples, steps: Sequence[Step], t: FloatArray) -> Samples:

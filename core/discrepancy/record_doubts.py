@@ -1,4 +1,4 @@
-"""What makes a name of a record doubtful: a pickup that is no sine, a telegraph that moves."""
+"""What makes a name of a record doubtful: a pickup that is no sine, a telegraph that moves..."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -18,6 +18,16 @@ _PICKUP, _TELEGRAPH, _JUMP = "pickup", "telegraph", "bias_jump"
 _WITHIN = 2.5
 _HARMONICS = (2, 3, 4)
 _ENOUGH = 3.0
+_FEWEST, _RATIOS = 4, 4
+
+
+def doubtful_names(engine: Engine, state: State) -> frozenset[str]:
+    """Names of a set for which something unknown could stand as well."""
+    doubtful = {
+        _PICKUP: has_harmonics(engine, state),
+        _TELEGRAPH: moves_between(engine, state) or seldom_or_regular(state),
+    }
+    return frozenset((*of_no_channel(state), *(name for name, so in doubtful.items() if so)))
 
 
 def has_harmonics(engine: Engine, state: State) -> bool:
@@ -56,6 +66,35 @@ def moves_between(engine: Engine, state: State) -> bool:
     arch, slope = np.sin(np.pi * within), within - 0.5
     columns = np.column_stack([side * arch, slope, side * slope])
     return _shows(engine, engine.search.state(others), columns)
+
+
+def seldom_or_regular(state: State) -> bool:
+    """Whether the changes of a telegraph are too few, or come too regularly, for chance.
+
+    Two levels are told by being come back to; one visit of the other is anything that passes. And
+    chance leaves long stays beside short ones: the logarithm of the ratio of neighbours is 2 ln 2
+    in the mean, and much less where something turns.
+    """
+    path = next((slot for slot in state.slots if slot.name == _TELEGRAPH), None)
+    if path is None:
+        return False
+    changes = np.array([row for _, row in path.instance.effect.shape])
+    if len(changes) < _FEWEST:
+        return True
+    ratios = np.abs(np.diff(np.log(np.diff(changes))))
+    return len(ratios) >= _RATIOS and float(np.mean(ratios)) < np.log(2.0)
+
+
+def of_no_channel(state: State) -> tuple[str, ...]:
+    """Names that follow no channel where there are several of them, and a drift beside jumps.
+
+    Jumps, lines and paths together can draw any curve over time that the catalogue does not know.
+    """
+    names = [slot.name for slot in state.slots]
+    loose = [name for name in names if name in (_JUMP, _TELEGRAPH, _PICKUP)]
+    if len(loose) < 2:
+        return ()
+    return (*dict.fromkeys(loose), *(["bias_drift"] if loose.count(_JUMP) > 1 else []))
 
 
 def there_and_back(steps: Sequence[Step]) -> tuple[Step, ...]:

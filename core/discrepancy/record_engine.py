@@ -1,5 +1,6 @@
 """The search on the slow view of a long record."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -13,12 +14,16 @@ from core.discrepancy.floor import Floor
 from core.discrepancy.problem import Problem
 from core.discrepancy.record_floor import record_floor, usual_floor
 from core.discrepancy.record_problem import Samples, record_problem
+from core.discrepancy.record_refined import NameSet
+from core.discrepancy.record_search import ended, likeliest
+from core.discrepancy.record_sets import tied_names
+from core.discrepancy.record_shapes import Key, Shapes
 from core.discrepancy.record_telegraph import telegraph_of
 from core.discrepancy.reml import prior_of
 from core.discrepancy.search import Scored
 from core.discrepancy.settings import Settings
 from core.discrepancy.slots import Slot, State
-from core.model.effect import Effect
+from core.model.effect import Effect, Kind
 
 _UNITS = {
     "t_s": "s",
@@ -34,6 +39,10 @@ _LOUD = 10.0
 _RARE = 5.0
 """What speaks against ten times the slow noise before anything is seen, natural logarithm."""
 _PART, _PLAIN = 0.5, 10.0
+_KEPT, _CARRIED = 3, 5
+_ALIKE = 2.0
+"""Nats by which much slow noise may lead a telegraph that is told none the less."""
+_TELEGRAPH = "telegraph"
 _FINE = (24, 64)
 """Half waves over a record of what changes faster than slow curves do, all alike."""
 
@@ -79,11 +88,15 @@ class Found:
     engine : the blocks under their noise floor
     state : the best set of effects
     unknown : unknown structure, if it ends with that
+    doubtful : names that unknown structure could stand for
+    tied : names that cannot be told from each slot
     """
 
     engine: Engine
     state: State
     unknown: Scored | None
+    doubtful: tuple[str, ...] = ()
+    tied: tuple[tuple[str, ...], ...] = ()
 
 
 def search_record(samples: Samples, settings: Settings) -> Found:
@@ -106,16 +119,60 @@ def search_record(samples: Samples, settings: Settings) -> Found:
         first.settled(first.floor()),
         first.settled(first.floor(slow=_LOUD), slow=_LOUD),
     ]
-    paths = telegraph_of(
-        problem, [one.engine.search.bank.space.chol @ one.state.residual for one in begun]
-    )
+    paths = telegraph_of(problem, _left_over(begun))
     if paths is not None:
         again = first.beside(paths)
         best = max(begun, key=lambda one: one.worth)
         floors = (usual_floor(problem), again.floor(best.state.slots))
         begun += [again.settled(floor) for floor in floors]
-    engine = calibrated(max(begun, key=lambda one: one.worth).engine)
-    return _with_partial_names(engine, *engine.found())
+    best, guessed = _chosen(begun)
+    engine = calibrated(_told(best, settings))
+    shapes = Shapes(engine.search, first.raw)
+    sets = likeliest(shapes, [one.state.slots for one in best.sets[:_CARRIED] if one.names])
+    chosen, unknown, doubtful = ended(engine.search, sets)
+    found = _with_partial_names(engine, chosen.state, unknown)
+    tied = tied_names(shapes, found.state, sets)
+    return replace(found, doubtful=(*doubtful, *guessed), tied=tuple(tied))
+
+
+def _chosen(begun: Sequence["_Reading"]) -> tuple["_Reading", tuple[str, ...]]:
+    """The likeliest reading, and what is a guess in it.
+
+    Far more slow noise than usual and a telegraph are much alike; where the noise leads by little
+    the telegraph is told, in doubt.
+    """
+    best = max(begun, key=lambda one: one.worth)
+    between = [one for one in begun if _TELEGRAPH in one.names]
+    rival = max(between, key=lambda one: one.worth, default=best)
+    if _TELEGRAPH not in best.names and rival.worth > best.worth - _ALIKE:
+        return rival, (_TELEGRAPH,)
+    return best, ()
+
+
+def _told(best: "_Reading", settings: Settings) -> Engine:
+    """The engine of a reading; of all paths of a telegraph that were tried the best alone."""
+    engine = best.engine
+    path = next((slot for slot in best.state.slots if slot.name == _TELEGRAPH), None)
+    if path is None:
+        return engine
+    others = (one for one in engine.problem.effects if one.id != _TELEGRAPH)
+    problem = replace(engine.problem, effects=(*others, path.instance.effect))
+    return under(problem, settings, Bank.of(problem), engine.floor, engine.regressors)
+
+
+def _left_over(begun: Sequence["_Reading"]) -> list[FloatArray]:
+    """What the likeliest sets leave, and what each name leaves alone: a telegraph may be in it."""
+    found: list[FloatArray] = []
+    for one in begun:
+        chol = one.engine.search.bank.space.chol
+        found += [chol @ each.state.residual for each in one.sets[:_KEPT]]
+    search = begun[0].engine.search
+    plain = search.state(())
+    for score in search.scores(plain).values():
+        if score.slot is not None and score.slot.instance.effect.kind is Kind.BLOCK:
+            state = search.state((search.polished(score.slot, plain),))
+            found.append(search.bank.space.chol @ state.residual)
+    return found
 
 
 def _with_partial_names(engine: Engine, state: State, unknown: Scored | None) -> Found:
@@ -141,8 +198,14 @@ class _Reading:
     """A record under one floor, with what the search finds there and what all is worth."""
 
     engine: Engine
+    sets: list[NameSet]
     state: State
     worth: float
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of its slots."""
+        return tuple(slot.name for slot in self.state.slots)
 
 
 class _Readings:
@@ -153,11 +216,13 @@ class _Readings:
         self._bank = Bank.of(problem)
         self._floors: dict[tuple[object, ...], Floor] = {}
         self._done: dict[int, _Reading] = {}
+        self.raw: dict[Key, FloatArray] = {}
 
     def beside(self, effect: Effect) -> "_Readings":
         """The same with one more effect to be looked for."""
         problem = replace(self._problem, effects=(*self._problem.effects, effect))
         more = _Readings(problem, self._settings)
+        more.raw = self.raw
         more._floors = self._floors
         return more
 
@@ -171,20 +236,24 @@ class _Readings:
     def settled(self, floor: Floor, slow: float = 1.0) -> _Reading:
         """The search under a floor, and again under the floor that what was found leaves."""
         first = self._searched(floor)
-        found = self._searched(self.floor(first.state.slots, slow))
+        known = [one.state.slots for one in first.sets[:_CARRIED] if one.names]
+        found = self._searched(self.floor(first.state.slots, slow), known)
         return found if slow == 1.0 else replace(found, worth=found.worth - _RARE)
 
-    def _searched(self, floor: Floor) -> _Reading:
+    def _searched(self, floor: Floor, known: Sequence[tuple[Slot, ...]] = ()) -> _Reading:
         if id(floor) not in self._done:
             sigma = np.sqrt(np.diag(floor.covariance))
             regressors = record_regressors(self._problem, sigma)
             engine = under(self._problem, self._settings, self._bank, floor, regressors)
-            state, unknown = engine.found()
-            self._done[id(floor)] = _Reading(engine, state, _worth(engine, state, unknown))
+            sets = likeliest(Shapes(engine.search, self.raw), known)
+            best, unknown, _ = ended(engine.search, sets)
+            self._done[id(floor)] = _Reading(
+                engine, sets, best.state, _worth(engine, best, unknown)
+            )
         return self._done[id(floor)]
 
 
-def _worth(engine: Engine, state: State, unknown: Scored | None) -> float:
+def _worth(engine: Engine, best: NameSet, unknown: Scored | None) -> float:
     """Logarithm of the evidence of noise and effects together, but for a constant."""
     space, sizes = engine.search.bank.space, engine.floor.sizes
     plain = engine.search.state(())
@@ -193,18 +262,11 @@ def _worth(engine: Engine, state: State, unknown: Scored | None) -> float:
     determinant += 0.5 * float(np.linalg.slogdet(design.T @ design)[1])
     log = 2.0 * np.log(sizes.ratio)
     prior = float(log @ np.linalg.solve(prior_of(engine.floor.parts), log))
-    explained = _explained(engine, state)
+    explained = best.worth
     if unknown is not None:
         explained += unknown.evidence - engine.search.threshold
     level = float(np.log(space.prior + plain.rss))
-    return explained - determinant - 0.5 * (space.prior + space.dof) * level - 0.5 * prior
-
-
-def _explained(engine: Engine, state: State) -> float:
-    """Evidence of the effects, one after the other, less what each must have."""
-    search = engine.search
-    total = 0.0
-    for place, slot in enumerate(state.slots):
-        others = search.state(state.slots[:place])
-        total += search.own_evidence(slot, others, search.scores(others)) - search.threshold
-    return total
+    # A size that is known before tells more than one that only the data tell (Laplace).
+    known = np.linalg.slogdet(sizes.spread)[1] - np.linalg.slogdet(prior_of(engine.floor.parts))[1]
+    fit = -determinant - 0.5 * (space.prior + space.dof) * level
+    return explained + fit - 0.5 * prior + 0.5 * float(known)

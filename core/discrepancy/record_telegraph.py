@@ -49,22 +49,23 @@ def _path(z: FloatArray, rate: float) -> tuple[IntArray, float]:
 
 
 def _viterbi(fit: FloatArray, rate: float) -> IntArray:
-    stay, change = np.log1p(-rate), np.log(rate)
-    n = len(fit)
-    came = np.zeros((n, 2), dtype=np.int64)
-    a, b = fit[0].tolist()
-    for i in range(1, n):
-        came[i, 0] = b + change > a + stay
-        came[i, 1] = b + stay >= a + change
+    stay, change = float(np.log1p(-rate)), float(np.log(rate))
+    rows = fit.tolist()
+    came: list[tuple[bool, bool]] = []
+    a, b = rows[0]
+    for one, other in rows[1:]:
+        first, second = b + change > a + stay, b + stay >= a + change
+        came.append((first, second))
         a, b = (
-            max(a + stay, b + change) + float(fit[i, 0]),
-            max(b + stay, a + change) + float(fit[i, 1]),
+            (b + change if first else a + stay) + one,
+            (b + stay if second else a + change) + other,
         )
-    path = np.zeros(n, dtype=np.int64)
-    path[-1] = int(b > a)
-    for i in range(n - 1, 0, -1):
-        path[i - 1] = came[i, path[i]]
-    return path
+    at = bool(b > a)
+    path = [int(at)]
+    for before in reversed(came):
+        at = before[at]
+        path.append(int(at))
+    return np.array(path[::-1], dtype=np.int64)
 
 
 def _forward(fit: FloatArray, rate: float) -> float:

@@ -22,26 +22,27 @@ def lagged(values: FloatArray, t_s: FloatArray, tau_s: float) -> FloatArray:
 
     Exact for a temperature that goes in straight lines from row to row.
     """
-    found = np.empty_like(values)
-    found[0] = values[0]
     steps = np.diff(t_s) / tau_s
     keep = np.exp(-steps)
     ramp = -np.expm1(-steps) / np.maximum(steps, 1e-300)
-    for i in range(1, len(values)):
-        k, r = keep[i - 1], ramp[i - 1]
-        found[i] = k * found[i - 1] + (r - k) * values[i - 1] + (1.0 - r) * values[i]
-    return found
+    added = (ramp - keep) * values[:-1] + (1.0 - ramp) * values[1:]
+    now = float(values[0])
+    found = [now]
+    for k, more in zip(keep.tolist(), added.tolist(), strict=True):
+        now = k * now + more
+        found.append(now)
+    return np.array(found)
 
 
 def branch(values: FloatArray, width: float, start: float) -> FloatArray:
     """Where a play operator of that width stands (n,): -1 and 1 on its two branches."""
     half = 0.5 * width
-    found = np.empty_like(values)
-    memory = values[0] - start * half
-    for i, value in enumerate(values):
+    memory = float(values[0]) - start * half
+    found: list[float] = []
+    for value in values.tolist():
         memory = min(max(memory, value - half), value + half)
-        found[i] = (value - memory) / half
-    return found
+        found.append((value - memory) / half)
+    return np.array(found)
 
 
 class _Thermal(Effect):
