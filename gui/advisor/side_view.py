@@ -2,11 +2,11 @@
 
 from dataclasses import replace
 
-from PySide6.QtCore import QEvent, Signal
 from PySide6.QtWidgets import QCheckBox, QLabel, QVBoxLayout, QWidget
 
 from core.procedures.prediction.bench import TOOLS
 from gui.advisor.state import AdvisorChoices, AdvisorState
+from gui.widgets.decision_form import DecisionForm
 from gui.widgets.field_form import FieldForm
 from gui.widgets.fields import ChoiceField, NumberField
 from gui.widgets.noise_fields import NoiseFields
@@ -15,15 +15,11 @@ _KINDS = ("accelerometer", "gyro")
 _AXES = ("x", "y", "z")
 
 
-class AdvisorSide(QWidget):
+class AdvisorSide(DecisionForm):
     """Form of `AdvisorChoices`."""
-
-    decided = Signal(object)
-    """`AdvisorChoices`."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._rendering = False
         self._choices = AdvisorChoices()
         self.kind, self.axis = ChoiceField(), ChoiceField()
         self.kind.addItems([""] * len(_KINDS))
@@ -62,62 +58,47 @@ class AdvisorSide(QWidget):
         column.addWidget(self._heads[1])
         for tool in self.tools.values():
             column.addWidget(tool)
-            tool.toggled.connect(self._on_edited)
         column.addLayout(self._rig)
         column.addStretch(1)
-        for choice in (self.kind, self.axis):
-            choice.currentIndexChanged.connect(self._on_edited)
-        for number in self._numbers:
-            number.valueChanged.connect(self._on_edited)
-        self._rendering = True
-        self._retranslate()
-        self._rendering = False
+        self._listen(self.kind, self.axis, *self.tools.values(), *self._numbers)
+        with self._showing():
+            self._retranslate()
 
     def render(self, state: AdvisorState) -> None:
         """Show what is decided."""
-        self._rendering = True
-        choices = self._choices = state.choices
-        self.kind.setCurrentIndex(_KINDS.index(choices.kind))
-        self.axis.setCurrentIndex(_AXES.index(choices.axis))
-        self.noise.render(choices.kind, choices.noise, choices.noise_source)
-        for name, tool in self.tools.items():
-            tool.setChecked(name in choices.tools)
-        values = (
-            choices.accumulation_s,
-            choices.pause_s,
-            choices.g_mps2,
-            choices.u_g_mps2,
-            choices.head_u_arcsec,
-            choices.rate_u_ppm,
-            choices.latitude_deg,
-        )
-        for number, value in zip(self._numbers, values, strict=True):
-            number.setValue(value)
-        self._rendering = False
-
-    def _on_edited(self, *_: object) -> None:
-        if self._rendering:
-            return
-        self.decided.emit(
-            replace(
-                self._choices,
-                kind=_KINDS[max(self.kind.currentIndex(), 0)],
-                axis=_AXES[max(self.axis.currentIndex(), 0)],
-                tools=frozenset(name for name, tool in self.tools.items() if tool.isChecked()),
-                accumulation_s=self.accumulation.value(),
-                pause_s=self.pause.value(),
-                g_mps2=self.g.value(),
-                u_g_mps2=self.u_g.value(),
-                head_u_arcsec=self.head_u.value(),
-                rate_u_ppm=self.rate_u.value(),
-                latitude_deg=self.latitude.value(),
+        with self._showing():
+            choices = self._choices = state.choices
+            self.kind.setCurrentIndex(_KINDS.index(choices.kind))
+            self.axis.setCurrentIndex(_AXES.index(choices.axis))
+            self.noise.render(choices.kind, choices.noise, choices.noise_source)
+            for name, tool in self.tools.items():
+                tool.setChecked(name in choices.tools)
+            values = (
+                choices.accumulation_s,
+                choices.pause_s,
+                choices.g_mps2,
+                choices.u_g_mps2,
+                choices.head_u_arcsec,
+                choices.rate_u_ppm,
+                choices.latitude_deg,
             )
-        )
+            for number, value in zip(self._numbers, values, strict=True):
+                number.setValue(value)
 
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.LanguageChange:
-            self._retranslate()
+    def _decision(self) -> AdvisorChoices:
+        return replace(
+            self._choices,
+            kind=_KINDS[max(self.kind.currentIndex(), 0)],
+            axis=_AXES[max(self.axis.currentIndex(), 0)],
+            tools=frozenset(name for name, tool in self.tools.items() if tool.isChecked()),
+            accumulation_s=self.accumulation.value(),
+            pause_s=self.pause.value(),
+            g_mps2=self.g.value(),
+            u_g_mps2=self.u_g.value(),
+            head_u_arcsec=self.head_u.value(),
+            rate_u_ppm=self.rate_u.value(),
+            latitude_deg=self.latitude.value(),
+        )
 
     def _retranslate(self) -> None:
         for head, text in zip(self._heads, (self.tr("Sensor"), self.tr("Rig")), strict=True):

@@ -3,28 +3,25 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtWidgets import QCheckBox, QComboBox, QWidget
 
 from core.records.noise_study import StudyRequest
 from gui.allan.state import ChoiceState
 from gui.allan.texts import DEVIATIONS
 from gui.languages.shown import shown, shown_number
+from gui.widgets.decision_form import DecisionForm
 from gui.widgets.field_form import FieldForm
 from gui.widgets.fields import ChoiceField, NumberField
 
 _UNITS = ("", "deg/s", "m/s^2", "code", "V")
 
 
-class SettingsView(QWidget):
+class SettingsView(DecisionForm):
     """Form of a `StudyRequest`."""
-
-    decided = Signal(object)
-    """A `StudyRequest`."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._rendering = False
         self._state: ChoiceState | None = None
         self.channel, self.unit = ChoiceField(), ChoiceField()
         self.rate = NumberField(0.0, 1e6, 3, "Hz")
@@ -52,15 +49,12 @@ class SettingsView(QWidget):
         form.setContentsMargins(unit // 2, unit // 2, unit // 2, unit // 2)
         form.addRow(self.increments)
         self.setLayout(form)
-        for field in (self.rate, self.scale, self.bandwidth):
-            field.valueChanged.connect(self._on_edited)
         for field in (self.channel, self.unit, self.regressor, self.order, self.beside):
-            field.currentIndexChanged.connect(self._on_edited)
             field.setSizeAdjustPolicy(
                 QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
             )
             field.setMinimumContentsLength(6)
-        self.increments.toggled.connect(self._on_edited)
+        self._listen(*fields, self.increments)
         self._retranslate()
         self.render(None)
 
@@ -70,29 +64,30 @@ class SettingsView(QWidget):
         if state is None or state == self._state:
             return
         self._state = state
-        self._rendering = True
-        request = state.request
-        _fill(self.channel, state.channels, state.channel)
-        others = [name for name in state.channels if name != state.channel]
-        _fill(self.regressor, [self.tr("none"), *others], "".join(request.regressors[:1]))
-        self.rate.setValue(request.rate)
-        self.rate.setSpecialValueText(f"{state.rate:.6g} Hz" if state.rate else self.tr("state it"))
-        self.scale.setValue(request.scale_factor)
-        self.scale.setSpecialValueText(shown_number(f"{state.factor:.6g}"))
-        self.bandwidth.setValue(request.bandwidth)
-        _fill(self.unit, _UNITS, request.unit)
-        self.unit.setItemText(0, state.unit or shown("code"))
-        self.order.setCurrentIndex(request.order - 1)
-        self.increments.setChecked(request.increments)
-        self.beside.setCurrentIndex(self.beside.findData(request.beside))
-        of_records = (self.rate, self.bandwidth, self.regressor, self.order, self.increments)
-        for field in (*of_records, self.beside):
-            field.setEnabled(not state.live)
-        self._rendering = False
+        with self._showing():
+            request = state.request
+            _fill(self.channel, state.channels, state.channel)
+            others = [name for name in state.channels if name != state.channel]
+            _fill(self.regressor, [self.tr("none"), *others], "".join(request.regressors[:1]))
+            self.rate.setValue(request.rate)
+            self.rate.setSpecialValueText(
+                f"{state.rate:.6g} Hz" if state.rate else self.tr("state it")
+            )
+            self.scale.setValue(request.scale_factor)
+            self.scale.setSpecialValueText(shown_number(f"{state.factor:.6g}"))
+            self.bandwidth.setValue(request.bandwidth)
+            _fill(self.unit, _UNITS, request.unit)
+            self.unit.setItemText(0, state.unit or shown("code"))
+            self.order.setCurrentIndex(request.order - 1)
+            self.increments.setChecked(request.increments)
+            self.beside.setCurrentIndex(self.beside.findData(request.beside))
+            of_records = (self.rate, self.bandwidth, self.regressor, self.order, self.increments)
+            for field in (*of_records, self.beside):
+                field.setEnabled(not state.live)
 
-    def _on_edited(self, *_: object) -> None:
-        if self._rendering or self._state is None:
-            return
+    def _decision(self) -> StudyRequest | None:
+        if self._state is None:
+            return None
         before = self._state.request
         channel = self.channel.currentText()
         regressed = self.regressor.currentIndex() > 0
@@ -112,12 +107,11 @@ class SettingsView(QWidget):
         )
         if channel in request.regressors:
             request = replace(request, regressors=())
-        self.decided.emit(request)
+        return request
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.LanguageChange:
-            self._retranslate()
             state, self._state = self._state, None
             self.render(state)
 

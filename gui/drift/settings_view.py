@@ -3,10 +3,11 @@
 import math
 from dataclasses import replace
 
-from PySide6.QtCore import QEvent, Signal
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFrame, QLineEdit, QWidget
 
 from gui.drift.state import ChoiceState, Settings
+from gui.widgets.decision_form import DecisionForm
 from gui.widgets.field_form import FieldForm
 from gui.widgets.fields import NumberField
 
@@ -14,17 +15,14 @@ _UNKNOWN_C = -274.0
 """Below absolute zero: the field shows that nothing was stated."""
 
 
-class SettingsView(QWidget):
+class SettingsView(DecisionForm):
     """Form of `Settings`."""
 
-    decided = Signal(object)
-    """`Settings`."""
     ambient_stated = Signal(float)
     """Temperature of the chamber; NaN for none."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._rendering = False
         self._state: ChoiceState | None = None
         self.ambient = NumberField(_UNKNOWN_C, 300.0, 1, "°C")
         self.start = NumberField(0.0, 1e4, 2, "s")
@@ -49,10 +47,8 @@ class SettingsView(QWidget):
             line.setFrameShape(QFrame.Shape.HLine)
             form.insertRow(row, line)
         self.setLayout(form)
-        for field in (*alignment, *table, *output):
-            field.valueChanged.connect(self._on_edited)
+        self._listen(*alignment, *table, *output, self.channel)
         self.ambient.valueChanged.connect(self._on_ambient)
-        self.channel.editingFinished.connect(self._on_edited)
         self._retranslate()
 
     def render(self, state: ChoiceState) -> None:
@@ -60,27 +56,26 @@ class SettingsView(QWidget):
         if state == self._state:
             return
         self._state = state
-        self._rendering = True
-        settings = state.settings
-        stated = math.isfinite(state.ambient_c)
-        self.ambient.setEnabled(state.has_file)
-        self.ambient.setValue(state.ambient_c if stated else _UNKNOWN_C)
-        self.start.setValue(settings.start_s)
-        self.stop.setValue(settings.stop_s)
-        self.block.setValue(settings.block_s)
-        self.horizon.setValue(settings.horizon_s)
-        self.limit.setValue(settings.limit)
-        self.memory.setValue(settings.memory)
-        self.knots.setValue(settings.knots)
-        self.channel.setText(settings.channel)
-        self.rate.setValue(settings.rate)
-        self.scale.setValue(settings.scale_factor)
-        self._rendering = False
+        with self._showing():
+            settings = state.settings
+            stated = math.isfinite(state.ambient_c)
+            self.ambient.setEnabled(state.has_file)
+            self.ambient.setValue(state.ambient_c if stated else _UNKNOWN_C)
+            self.start.setValue(settings.start_s)
+            self.stop.setValue(settings.stop_s)
+            self.block.setValue(settings.block_s)
+            self.horizon.setValue(settings.horizon_s)
+            self.limit.setValue(settings.limit)
+            self.memory.setValue(settings.memory)
+            self.knots.setValue(settings.knots)
+            self.channel.setText(settings.channel)
+            self.rate.setValue(settings.rate)
+            self.scale.setValue(settings.scale_factor)
 
-    def _on_edited(self, *_: object) -> None:
-        if self._rendering or self._state is None:
-            return
-        settings: Settings = replace(
+    def _decision(self) -> Settings | None:
+        if self._state is None:
+            return None
+        return replace(
             self._state.settings,
             start_s=self.start.value(),
             stop_s=self.stop.value(),
@@ -93,16 +88,10 @@ class SettingsView(QWidget):
             rate=self.rate.value(),
             scale_factor=self.scale.value(),
         )
-        self.decided.emit(settings)
 
     def _on_ambient(self, value: float) -> None:
-        if not self._rendering:
+        if not self._shows:
             self.ambient_stated.emit(value if value > _UNKNOWN_C else math.nan)
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.LanguageChange:
-            self._retranslate()
 
     def _retranslate(self) -> None:
         words = (

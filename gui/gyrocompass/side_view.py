@@ -3,10 +3,10 @@
 import math
 from dataclasses import replace
 
-from PySide6.QtCore import QEvent, Signal
 from PySide6.QtWidgets import QCheckBox, QVBoxLayout, QWidget
 
 from gui.gyrocompass.state import CompassChoices, CompassState
+from gui.widgets.decision_form import DecisionForm
 from gui.widgets.field_form import FieldForm
 from gui.widgets.fields import ChoiceField, NumberField
 from gui.widgets.noise_fields import NoiseFields
@@ -15,15 +15,11 @@ _NOT_STATED = -91.0
 _STEPS = (3, 4, 6, 8, 12)
 
 
-class CompassSide(QWidget):
+class CompassSide(DecisionForm):
     """Form of `CompassChoices`."""
-
-    decided = Signal(object)
-    """`CompassChoices`."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._rendering = False
         self._choices = CompassChoices()
         self.channel, self.headings = ChoiceField(), ChoiceField()
         self.headings.addItems([f"{count} × {360 // count}°" for count in _STEPS])
@@ -52,60 +48,47 @@ class CompassSide(QWidget):
         column.addWidget(self.noise)
         column.addStretch(1)
         for choice in (self.channel, self.headings):
-            choice.currentIndexChanged.connect(self._on_edited)
             choice.setMinimumContentsLength(6)
-        for number in numbers:
-            number.valueChanged.connect(self._on_edited)
-        self.ramp.toggled.connect(self._on_edited)
+        self._listen(self.channel, self.headings, *numbers, self.ramp)
         self._retranslate()
 
     def render(self, state: CompassState) -> None:
         """Show what is decided."""
-        self._rendering = True
-        choices = self._choices = state.choices
-        names = [self.channel.itemText(place) for place in range(self.channel.count())]
-        if names != list(state.channels):
-            self.channel.clear()
-            self.channel.addItems(list(state.channels))
-        self.channel.setCurrentIndex(self.channel.findText(choices.channel))
-        self.channel.setEnabled(bool(state.channels))
-        # A run brings its own headings.
-        self.headings.setEnabled(not state.channels)
-        self.headings.setCurrentIndex(_STEPS.index(choices.headings))
-        latitude = choices.latitude_deg
-        self.latitude.setValue(_NOT_STATED if math.isnan(latitude) else latitude)
-        self.scale.setValue(choices.scale_factor)
-        self.tilt.setValue(choices.u_tilt_arcmin)
-        self.average.setValue(choices.average_s)
-        self.pause.setValue(choices.pause_s)
-        self.target.setValue(choices.target_deg)
-        self.ramp.setChecked(choices.ramp)
-        self.noise.render("gyro", choices.noise, choices.noise_source)
-        self._rendering = False
+        with self._showing():
+            choices = self._choices = state.choices
+            names = [self.channel.itemText(place) for place in range(self.channel.count())]
+            if names != list(state.channels):
+                self.channel.clear()
+                self.channel.addItems(list(state.channels))
+            self.channel.setCurrentIndex(self.channel.findText(choices.channel))
+            self.channel.setEnabled(bool(state.channels))
+            # A run brings its own headings.
+            self.headings.setEnabled(not state.channels)
+            self.headings.setCurrentIndex(_STEPS.index(choices.headings))
+            latitude = choices.latitude_deg
+            self.latitude.setValue(_NOT_STATED if math.isnan(latitude) else latitude)
+            self.scale.setValue(choices.scale_factor)
+            self.tilt.setValue(choices.u_tilt_arcmin)
+            self.average.setValue(choices.average_s)
+            self.pause.setValue(choices.pause_s)
+            self.target.setValue(choices.target_deg)
+            self.ramp.setChecked(choices.ramp)
+            self.noise.render("gyro", choices.noise, choices.noise_source)
 
-    def _on_edited(self, *_: object) -> None:
-        if self._rendering:
-            return
+    def _decision(self) -> CompassChoices:
         latitude = self.latitude.value()
-        self.decided.emit(
-            replace(
-                self._choices,
-                channel=self.channel.currentText(),
-                headings=_STEPS[max(self.headings.currentIndex(), 0)],
-                latitude_deg=math.nan if latitude < -90.0 else latitude,
-                scale_factor=self.scale.value(),
-                u_tilt_arcmin=self.tilt.value(),
-                average_s=self.average.value(),
-                pause_s=self.pause.value(),
-                target_deg=self.target.value(),
-                ramp=self.ramp.isChecked(),
-            )
+        return replace(
+            self._choices,
+            channel=self.channel.currentText(),
+            headings=_STEPS[max(self.headings.currentIndex(), 0)],
+            latitude_deg=math.nan if latitude < -90.0 else latitude,
+            scale_factor=self.scale.value(),
+            u_tilt_arcmin=self.tilt.value(),
+            average_s=self.average.value(),
+            pause_s=self.pause.value(),
+            target_deg=self.target.value(),
+            ramp=self.ramp.isChecked(),
         )
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.LanguageChange:
-            self._retranslate()
 
     def _retranslate(self) -> None:
         words = (

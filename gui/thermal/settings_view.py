@@ -3,10 +3,10 @@
 import math
 from dataclasses import replace
 
-from PySide6.QtCore import QEvent, Signal
 from PySide6.QtWidgets import QLineEdit, QWidget
 
 from gui.thermal.state import FOUND, Settings
+from gui.widgets.decision_form import DecisionForm
 from gui.widgets.field_form import FieldForm
 from gui.widgets.fields import NumberField
 
@@ -15,15 +15,11 @@ _UNKNOWN_C = -274.0
 """Below absolute zero: the field shows that nothing was stated."""
 
 
-class SettingsView(QWidget):
+class SettingsView(DecisionForm):
     """Form of `Settings`."""
-
-    decided = Signal(object)
-    """`Settings`."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._rendering = False
         self._state = Settings()
         self.bias_order = NumberField(FOUND, _HIGHEST)
         self.scale_order = NumberField(FOUND, _HIGHEST)
@@ -35,28 +31,23 @@ class SettingsView(QWidget):
         unit = self.fontMetrics().height()
         form.setContentsMargins(unit // 2, unit // 2, unit // 2, unit // 2)
         self.setLayout(form)
-        for field in numbers:
-            field.valueChanged.connect(self._on_edited)
-        self.outputs.editingFinished.connect(self._on_edited)
+        self._listen(*numbers, self.outputs)
         self._retranslate()
 
     def render(self, settings: Settings) -> None:
         """Show what is decided."""
         self._state = settings
-        self._rendering = True
-        self.bias_order.setValue(settings.bias_order)
-        self.scale_order.setValue(settings.scale_order)
-        stated = math.isfinite(settings.reference_c)
-        self.reference.setValue(settings.reference_c if stated else _UNKNOWN_C)
-        self.gravity.setValue(settings.g_mps2)
-        self.outputs.setText(settings.outputs)
-        self._rendering = False
+        with self._showing():
+            self.bias_order.setValue(settings.bias_order)
+            self.scale_order.setValue(settings.scale_order)
+            stated = math.isfinite(settings.reference_c)
+            self.reference.setValue(settings.reference_c if stated else _UNKNOWN_C)
+            self.gravity.setValue(settings.g_mps2)
+            self.outputs.setText(settings.outputs)
 
-    def _on_edited(self, *_: object) -> None:
-        if self._rendering:
-            return
+    def _decision(self) -> Settings:
         reference = self.reference.value()
-        settings = replace(
+        return replace(
             self._state,
             bias_order=round(self.bias_order.value()),
             scale_order=round(self.scale_order.value()),
@@ -64,17 +55,11 @@ class SettingsView(QWidget):
             g_mps2=self.gravity.value(),
             outputs=self.outputs.text().strip(),
         )
-        self.decided.emit(settings)
 
     def _unknown(self) -> float:
         """The same NaN as before, which alone is equal to itself in a comparison of settings."""
         before = self._state.reference_c
         return before if math.isnan(before) else math.nan
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.LanguageChange:
-            self._retranslate()
 
     def _retranslate(self) -> None:
         words = (

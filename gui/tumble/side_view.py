@@ -1,22 +1,18 @@
 """What the operator decides about a tumble."""
 
-from PySide6.QtCore import QEvent, Signal
 from PySide6.QtWidgets import QCheckBox, QWidget
 
 from gui.tumble.state import TumbleChoices, TumbleState
+from gui.widgets.decision_form import DecisionForm
 from gui.widgets.field_form import FieldForm
 from gui.widgets.fields import ChoiceField, NumberField
 
 
-class TumbleSide(QWidget):
+class TumbleSide(DecisionForm):
     """Form of `TumbleChoices`."""
-
-    decided = Signal(object)
-    """`TumbleChoices`."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._rendering = False
         self._choices = TumbleChoices()
         self.channel, self.harmonics = ChoiceField(), ChoiceField()
         self.harmonics.addItems(["2", "3"])
@@ -31,51 +27,36 @@ class TumbleSide(QWidget):
         form.addRow(self.drift)
         form.addRow(self.projection)
         self.setLayout(form)
-        for choice in (self.channel, self.harmonics):
-            choice.currentIndexChanged.connect(self._on_edited)
-        for number in numbers:
-            number.valueChanged.connect(self._on_edited)
-        for check in (self.drift, self.projection):
-            check.toggled.connect(self._on_edited)
+        self._listen(self.channel, self.harmonics, *numbers, self.drift, self.projection)
         self._retranslate()
 
     def render(self, state: TumbleState) -> None:
         """Show what is decided."""
-        self._rendering = True
-        choices = self._choices = state.choices
-        names = [self.channel.itemText(place) for place in range(self.channel.count())]
-        if names != list(state.channels):
-            self.channel.clear()
-            self.channel.addItems(list(state.channels))
-        self.channel.setCurrentIndex(self.channel.findText(choices.channel))
-        self.channel.setEnabled(bool(state.channels))
-        self.harmonics.setCurrentIndex(choices.harmonics - 2)
-        self.g.setValue(choices.g_mps2)
-        self.u_g.setValue(choices.u_g_mps2)
-        self.head_u.setValue(choices.head_u_arcsec)
-        self.drift.setChecked(choices.remove_drift)
-        self.projection.setChecked(choices.gravity_projection)
-        self._rendering = False
+        with self._showing():
+            choices = self._choices = state.choices
+            names = [self.channel.itemText(place) for place in range(self.channel.count())]
+            if names != list(state.channels):
+                self.channel.clear()
+                self.channel.addItems(list(state.channels))
+            self.channel.setCurrentIndex(self.channel.findText(choices.channel))
+            self.channel.setEnabled(bool(state.channels))
+            self.harmonics.setCurrentIndex(choices.harmonics - 2)
+            self.g.setValue(choices.g_mps2)
+            self.u_g.setValue(choices.u_g_mps2)
+            self.head_u.setValue(choices.head_u_arcsec)
+            self.drift.setChecked(choices.remove_drift)
+            self.projection.setChecked(choices.gravity_projection)
 
-    def _on_edited(self, *_: object) -> None:
-        if self._rendering:
-            return
-        self.decided.emit(
-            TumbleChoices(
-                channel=self.channel.currentText(),
-                harmonics=self.harmonics.currentIndex() + 2,
-                remove_drift=self.drift.isChecked(),
-                gravity_projection=self.projection.isChecked(),
-                g_mps2=self.g.value(),
-                u_g_mps2=self.u_g.value(),
-                head_u_arcsec=self.head_u.value(),
-            )
+    def _decision(self) -> TumbleChoices:
+        return TumbleChoices(
+            channel=self.channel.currentText(),
+            harmonics=self.harmonics.currentIndex() + 2,
+            remove_drift=self.drift.isChecked(),
+            gravity_projection=self.projection.isChecked(),
+            g_mps2=self.g.value(),
+            u_g_mps2=self.u_g.value(),
+            head_u_arcsec=self.head_u.value(),
         )
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.LanguageChange:
-            self._retranslate()
 
     def _retranslate(self) -> None:
         words = (

@@ -23,6 +23,7 @@ table_picture     how the rate table turns
 step_list         the steps of a plan
 action_bar        the row of actions and its keys
 toggle            a switch
+decision_form     what the forms of settings share
 export_foot       format, file name and button under results
 page_scroll       a page that scrolls up and down
 side_scroll       a column of settings as wide as it needs
