@@ -4941,8 +4941,8 @@ Every session and calibration of the folder of sessions comes here by itself. Im
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
-            <source>leaves a gap of {gap}</source>
-            <translation>оставляет расхождение {gap}</translation>
+            <source>gap {gap}</source>
+            <translation>расхождение {gap}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
@@ -5619,18 +5619,18 @@ Practice (F8) hides something in rows of the simulated rig, for you to name.</so
         </message>
         <message>
             <location filename="../../gui/discrepancy/words.py" />
-            <source>a_x, along case X</source>
-            <translation>a_x, вдоль X корпуса</translation>
+            <source>a_x along case X</source>
+            <translation>a_x вдоль X корпуса</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/words.py" />
-            <source>a_y, along case Y</source>
-            <translation>a_y, вдоль Y корпуса</translation>
+            <source>a_y along case Y</source>
+            <translation>a_y вдоль Y корпуса</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/words.py" />
-            <source>a_z, along case Z</source>
-            <translation>a_z, вдоль Z корпуса</translation>
+            <source>a_z along case Z</source>
+            <translation>a_z вдоль Z корпуса</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/words.py" />
@@ -10787,7 +10787,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/discrepancy/followups.py" />
             <source>angles at which the tied effects read most differently, in mixed order</source>
-            <translation>углы, при которых связанные эффекты читаются наиболее различно, в смешанном порядке</translation>
+            <translation>углы, при которых неразличимые эффекты дают самые разные показания, в смешанном порядке</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/followups.py" />

@@ -4941,8 +4941,8 @@ Every session and calibration of the folder of sessions comes here by itself. Im
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
-            <source>leaves a gap of {gap}</source>
-            <translation>лишає розбіжність {gap}</translation>
+            <source>gap {gap}</source>
+            <translation>розбіжність {gap}</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/cards.py" />
@@ -5619,18 +5619,18 @@ Practice (F8) hides something in rows of the simulated rig, for you to name.</so
         </message>
         <message>
             <location filename="../../gui/discrepancy/words.py" />
-            <source>a_x, along case X</source>
-            <translation>a_x, уздовж X корпусу</translation>
+            <source>a_x along case X</source>
+            <translation>a_x уздовж X корпусу</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/words.py" />
-            <source>a_y, along case Y</source>
-            <translation>a_y, уздовж Y корпусу</translation>
+            <source>a_y along case Y</source>
+            <translation>a_y уздовж Y корпусу</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/words.py" />
-            <source>a_z, along case Z</source>
-            <translation>a_z, уздовж Z корпусу</translation>
+            <source>a_z along case Z</source>
+            <translation>a_z уздовж Z корпусу</translation>
         </message>
         <message>
             <location filename="../../gui/discrepancy/words.py" />
@@ -10787,7 +10787,7 @@ Without a command the window opens.</translation>
         <message>
             <location filename="../../core/discrepancy/followups.py" />
             <source>angles at which the tied effects read most differently, in mixed order</source>
-            <translation>кути, за яких пов'язані ефекти читаються найрізніше, у мішаному порядку</translation>
+            <translation>кути, за яких нерозрізнені ефекти дають найрізніші покази, у змішаному порядку</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/followups.py" />
