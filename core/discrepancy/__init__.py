@@ -14,8 +14,11 @@ problem, smooth
     A run with its plain model; regressors without their rounding.
 components, reml, floor
     Parts of the noise, their sizes from replicates, the noise floor.
-space, evidence, bank, curves, relabels, slots
-    Whitened residual space; evidence; all effects, unknown curves, relabelled rows in it; states.
+space, evidence, bank, curves, features, relabels, slots
+    Whitened residual space; evidence; all effects, unknown curves, single features that no name
+    describes, relabelled rows in it; states.
+views
+    The same under all sizes that the noise of few rows may have.
 search, engine, sets
     Names compete; the rounds of a search and its threshold; what cannot be told apart.
 two_levels, weighed
@@ -32,6 +35,7 @@ record_facts, record_spectrum, record_doubts
     Faults of the data; lines and noise terms at the full rate; lines and levels that are neither.
 record_followups, record_advise
     What record to make next.
-followups, advise
-    What to measure next.
+rivals, followups, tailored, outcomes, advise
+    What is tied; series that can be done, and rows chosen for what is tied; how they would come
+    out; what to measure next.
 """

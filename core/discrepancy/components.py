@@ -9,6 +9,7 @@ from core.discrepancy.problem import Problem
 from core.discrepancy.settings import Settings
 from core.units import PPM, RAD_PER_ARCSEC
 
+_ACCUMULATED, _GUESSED = 0.25, 1.0
 _CERTIFICATE = 0.45
 _DRIFTING = 0.55
 _FAST, _SLOW = 1.0 / 40.0, 1.0 / 6.0
@@ -24,20 +25,23 @@ class Component:
     matrix : (n, n) its covariance at the stated size
     spread : standard deviation of the logarithm of its size (of sigma, not of variance)
     repeats : it is the same at the same position, so that replicates do not show it
+    common : standard deviation of the logarithm of a factor that all parts with one share: where
+        no standard errors are stated, the scatter is guessed, and the drift from it
     """
 
     name: str
     matrix: FloatArray
     spread: float
     repeats: bool = False
+    common: float = 0.0
 
 
 def components_of(problem: Problem, settings: Settings) -> tuple[Component, ...]:
     """Return the parts of the noise of a run at their stated sizes."""
-    white, spread = _white(problem)
+    white, common = _white(problem)
     n, c = problem.rows, problem.channels
     typical = float(np.sqrt(np.mean(white)))
-    found = [Component("white", np.diag(white), spread)]
+    found = [Component("white", np.diag(white), _ACCUMULATED, common=common)]
     if problem.run.test != "static_positions":
         slope = problem.slope()
         shared, setting = _setting(problem, settings)
@@ -55,7 +59,7 @@ def components_of(problem: Problem, settings: Settings) -> tuple[Component, ...]
     for name, tau, share in (("drift", _FAST, 0.5), ("slow_drift", _SLOW, 1.0)):
         drift = share * typical**2 * np.exp(-apart / (tau * max(float(np.ptp(t)), 1e-9)))
         matrix = np.asarray(np.kron(np.eye(c), drift), dtype=np.float64)
-        found.append(Component(name, matrix, _DRIFTING))
+        found.append(Component(name, matrix, _DRIFTING, common=common))
     return tuple(found)
 
 
@@ -104,7 +108,7 @@ def _setting(problem: Problem, settings: Settings) -> tuple[FloatArray, FloatArr
 
 
 def _white(problem: Problem) -> tuple[FloatArray, float]:
-    """(n c,) variance of the accumulations, and how well its size is known."""
+    """(n c,) variance of the accumulations, and how badly its size is guessed."""
     se, channel = problem.se, problem.channel
     if np.all(np.isfinite(se)) and np.all(se > 0):
         # Single standard errors scatter, and that of a disturbed row must not hide it.
@@ -112,7 +116,7 @@ def _white(problem: Problem) -> tuple[FloatArray, float]:
         for one in range(problem.channels):
             own = channel == one
             pooled[own] = np.median(se[own])
-        return pooled**2, 0.25
+        return pooled**2, 0.0
     # Rows that were put right are judged as they are now.
     y = problem.right
     variance = np.empty_like(y)
@@ -131,4 +135,4 @@ def _white(problem: Problem) -> tuple[FloatArray, float]:
             size = np.abs(residual[own])
         floor = 1e-9 * float(np.ptp(y[own])) + 1e-300
         variance[own] = max(1.4826 * float(np.median(size)), floor) ** 2
-    return 0.5 * variance, 1.0
+    return 0.5 * variance, _GUESSED

@@ -35,6 +35,7 @@ class Regressor:
     basis : (n c, q) unknown curve of unit amplitude, in units of the noise
     competes : it stands for structure that no name describes; offsets of runs and mountings and
         the two directions are names themselves
+    width : columns of each feature of which one alone acts; 0 where all act together
     """
 
     name: str
@@ -42,6 +43,7 @@ class Regressor:
     x: FloatArray
     basis: FloatArray
     competes: bool
+    width: int = 0
 
 
 def regressors_of(problem: Problem, sigma: FloatArray) -> tuple[Regressor, ...]:
@@ -151,12 +153,12 @@ class Curve:
         rss = float(residual @ residual)
         return float(curve_evidence(along, sizes, rss, space.prior, space.dof))
 
-    def shrunk(self, residual: FloatArray, amplitude: float) -> FloatArray:
-        """Whitened curve (n,) that a prior of that amplitude makes of a residual."""
-        e = (amplitude * self.sizes) ** 2
+    def fitted(self, residual: FloatArray) -> FloatArray:
+        """Whitened curve (n,) that the likeliest amplitude makes of a residual."""
+        e = (self._amplitude(residual) * self.sizes) ** 2
         return self.left @ (e / (1.0 + e) * (self.left.T @ residual))
 
-    def amplitude(self, residual: FloatArray) -> float:
+    def _amplitude(self, residual: FloatArray) -> float:
         """Amplitude that explains the residual best."""
         c = self.left.T @ residual
         best, found = -np.inf, 0.5

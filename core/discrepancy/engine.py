@@ -11,13 +11,15 @@ import numpy as np
 
 from core.arrays import FloatArray
 from core.discrepancy.bank import Bank
-from core.discrepancy.curves import Curve, Regressor, regressors_of
+from core.discrepancy.curves import Regressor, regressors_of
+from core.discrepancy.features import curve_of, features_of, unnamed
 from core.discrepancy.floor import Floor
 from core.discrepancy.problem import Problem
 from core.discrepancy.relabels import Relabelling, Relabels, relabellings_of
 from core.discrepancy.search import Scored, Search
 from core.discrepancy.settings import Settings
 from core.discrepancy.slots import Slot, State
+from core.discrepancy.views import together, views_of
 
 _START, _LEAST = 3.0, 1.0
 _SEED = 20120917
@@ -51,12 +53,18 @@ class Engine:
         """Prepare a run; what is found in a first round is left out of the noise."""
         made = relabellings_of(problem)
         problem, bank, gross = _gross(problem, settings, made)
-        first = under(problem, settings, bank, Floor.of(problem, settings, gross), made=made)
-        state, _ = first.search.run()
-        if {slot.key for slot in state.slots} == {slot.key for slot in gross}:
-            return calibrated(first)
-        second = Floor.of(problem, settings, state.slots)
-        return calibrated(under(problem, settings, bank, second, made=made))
+        engine = under(problem, settings, bank, Floor.of(problem, settings, gross), made=made)
+        state, _ = engine.search.run()
+        if not _same(state.slots, gross):
+            floor = Floor.of(problem, settings, state.slots)
+            engine = under(problem, settings, bank, floor, made=made)
+        wide = _seen(engine, made)
+        if wide.search.views:
+            again, _ = wide.search.run()
+            if not _same(again.slots, state.slots):
+                floor = Floor.of(problem, settings, again.slots)
+                wide = _seen(under(problem, settings, bank, floor, made=made), made)
+        return calibrated(wide)
 
     def found(self, forced: tuple[Slot, ...] = ()) -> tuple[State, Scored | None]:
         """The best set of effects that holds the forced ones."""
@@ -103,13 +111,16 @@ def under(
     `made` are its relabellings, where they are there already.
     """
     space = floor.space(problem.design())
+    projected = bank.in_space(space)
     if regressors is None:
-        regressors = regressors_of(problem, np.sqrt(np.diag(floor.covariance)))
+        sigma = np.sqrt(np.diag(floor.covariance))
+        features = (unnamed(one, projected) for one in features_of(problem, sigma))
+        regressors = (*regressors_of(problem, sigma), *(f for f in features if f.basis.shape[1]))
     search = Search(
         problem=problem,
-        bank=bank.in_space(space),
+        bank=projected,
         relabels=Relabels.of(problem, space, relabellings_of(problem) if made is None else made),
-        curves=tuple(Curve.of(one, space) for one in regressors),
+        curves=tuple(curve_of(one, space) for one in regressors),
         doubts={},
         curve_doubts=(0.0,) * len(regressors),
         threshold=_START,
@@ -119,15 +130,29 @@ def under(
     return Engine(problem, settings, bank, floor, regressors, search, none, np.zeros(0))
 
 
+def _same(some: tuple[Slot, ...], others: tuple[Slot, ...]) -> bool:
+    return {slot.key for slot in some} == {slot.key for slot in others}
+
+
+def _seen(engine: Engine, made: tuple[Relabelling, ...]) -> Engine:
+    """With the run under all sizes of the noise that are possible."""
+    views = views_of(engine.problem, engine.bank, engine.floor, engine.regressors, made)
+    return replace(engine, search=replace(engine.search, views=views))
+
+
 def calibrated(engine: Engine) -> Engine:
     """With the threshold that data without any effect exceed in `alpha` of cases."""
     search, space = engine.search, engine.search.bank.space
     rng = np.random.default_rng(_SEED)
     nulls = engine.floor.nulls(space, rng)
-    exact = space.project(rng.standard_normal(nulls.shape))
-    evidence = _evidence(engine, nulls)
-    # What goes with time may be no more than a larger drift; what repeats, a worse head.
-    doubts = np.maximum(_highest(evidence) - _highest(_evidence(engine, exact)), 0.0)
+    if search.views:
+        evidence = _marginal(engine, space.chol @ nulls)
+        doubts = np.zeros(len(evidence))
+    else:
+        exact = space.project(rng.standard_normal(nulls.shape))
+        evidence = _evidence(engine, nulls)
+        # What goes with time may be no more than a larger drift; what repeats, a worse head.
+        doubts = np.maximum(_highest(evidence) - _highest(_evidence(engine, exact)), 0.0)
     top = np.sort(np.max(evidence - doubts[:, None], axis=0))
     threshold = max(_LEAST, float(np.quantile(top, 1.0 - engine.settings.alpha)))
     names = len(engine.bank.names)
@@ -157,3 +182,16 @@ def _evidence(engine: Engine, residuals: FloatArray) -> FloatArray:
     names = engine.bank.by_name(search.bank.evidence(residuals, added))
     curves = [curve.evidence(residuals, search.bank.space) for curve in search.curves]
     return np.vstack([names, *curves])
+
+
+def _marginal(engine: Engine, noise: FloatArray) -> FloatArray:
+    """The same in outputs (n, k) that are only noise, under all sizes that are possible."""
+    added = np.zeros((len(noise), 0))
+    each, heard = list[FloatArray](), list[FloatArray]()
+    for view in engine.search.views:
+        space = view.bank.space
+        residuals = space.rest(noise)
+        names = engine.bank.by_name(view.bank.evidence(residuals, added))
+        each.append(np.vstack([names, *(c.evidence(residuals, space) for c in view.curves)]))
+        heard.append(view.heard(np.sum(residuals**2, axis=0)))
+    return together(each, heard)

@@ -18,8 +18,7 @@ _ENOUGH = 10
 _CERTAIN = 60.0
 _STATED = 12.0
 _NOTHING = 1.0
-_DRAWS, _EACH = 12, 27
-_UNSTATED = 1.0
+_NULLS, _DRAWS, _MANY = 324, 12, 160
 _DECAYS = (0.05, 0.15, 0.5)
 
 
@@ -82,10 +81,12 @@ class Floor:
         """
         n = len(self.covariance)
         found: list[FloatArray] = []
-        for _ in range(_DRAWS):
-            covariance = self.sizes.drawn(rng).total(self.parts)
+        draws = _DRAWS if n > _MANY else 3 * _DRAWS
+        for sizes in self.sizes.drawn(draws, rng):
+            covariance = sizes.total(self.parts)
             jitter = 1e-12 * float(np.mean(np.diag(covariance))) * np.eye(n)
-            noise = np.linalg.cholesky(covariance + jitter) @ rng.standard_normal((n, _EACH))
+            root = np.linalg.cholesky(covariance + jitter)
+            noise = root @ rng.standard_normal((n, _NULLS // draws))
             found.append(space.rest(noise))
         return np.hstack(found)
 
@@ -97,7 +98,7 @@ class Floor:
             rms = float(np.sqrt(np.mean(np.diag(part.matrix)))) * float(ratio)
             sizes[part.name] = rms
             # Where nothing is stated nothing can be exceeded.
-            ratios[part.name] = float(ratio) if part.spread < _UNSTATED else 1.0
+            ratios[part.name] = float(ratio) if part.common == 0.0 else 1.0
         slow = sizes.pop("slow_drift")
         before = np.hypot(sizes["drift"], slow)
         ratios["drift"] = float(np.hypot(ratios["drift"], ratios.pop("slow_drift")) / np.sqrt(2.0))

@@ -5,6 +5,7 @@ import numpy as np
 from core.arrays import FloatArray, IntArray, frozen, frozen_int
 from core.discrepancy.curves import Curve
 from core.discrepancy.engine import Engine
+from core.discrepancy.features import Features, curve_of
 from core.discrepancy.result import Where
 from core.discrepancy.slots import State
 
@@ -22,7 +23,7 @@ def locate(engine: Engine, state: State) -> tuple[Where, ...]:
         np.hstack([np.zeros((len(state.residual), 0)), *(slot.raw for slot in state.slots)])
     )
     nulls = engine.nulls - state.added @ (state.added.T @ engine.nulls)
-    curves = [Curve.of(regressor, space) for regressor in engine.regressors]
+    curves = [curve_of(regressor, space) for regressor in engine.regressors]
     if not curves:
         return ()
     observed = np.array([float(c.evidence(state.residual, space)) for c in curves])
@@ -46,14 +47,14 @@ def locate(engine: Engine, state: State) -> tuple[Where, ...]:
 
 def _where(
     engine: Engine,
-    curve: Curve,
+    curve: Curve | Features,
     state: State,
     p_value: float,
     raw: FloatArray,
     raw_nulls: FloatArray,
 ) -> Where:
     problem, regressor = engine.problem, curve.regressor
-    smooth = curve.shrunk(state.residual, curve.amplitude(state.residual))
+    smooth = curve.fitted(state.residual)
     excess = state.rss - engine.search.bank.space.dof
     taken = state.rss - float(np.sum((state.residual - smooth) ** 2))
     whole = engine.search.bank.space.chol @ smooth

@@ -110,27 +110,31 @@ class Relabels:
         exchange = () if self.exchange is None else (self.exchange.id,)
         return (*dict.fromkeys(self.names), *exchange)
 
-    def scores(self, state: State) -> dict[str, tuple[float, Slot]]:
+    def evidence(self, state: State) -> FloatArray:
+        """Evidence (m + k,) of each relabelling and of the exchange of each pair."""
+        dof = self.space.dof - state.added.shape[1]
+        moved = self.space.rest(self.changes)
+        moved = state.residual[:, None] + moved - state.added @ (state.added.T @ moved)
+        after = np.sum(moved**2, axis=0)
+        if self.exchange is not None and len(self.pairs):
+            after = np.concatenate([after, self._exchanged(state)])
+        return relabel_evidence(after, state.rss, self.space.prior, dof)
+
+    def scores(self, evidence: FloatArray) -> dict[str, tuple[float, Slot]]:
         """Evidence of each name, and its best instance as a slot."""
         found: dict[str, tuple[float, Slot]] = {}
-        dof = self.space.dof - state.added.shape[1]
-        if self.names:
-            moved = self.space.rest(self.changes)
-            moved = state.residual[:, None] + moved - state.added @ (state.added.T @ moved)
-            after = np.sum(moved**2, axis=0)
-            evidence = relabel_evidence(after, state.rss, self.space.prior, dof)
-            for name in dict.fromkeys(self.names):
-                own = np.flatnonzero([one == name for one in self.names])
-                best = int(own[np.argmax(evidence[own])])
-                slot = self._slot(self.effects[best], self.changes[:, best])
-                found[name] = (float(log_mean(evidence[own], axis=0)), slot)
+        count = len(self.names)
+        for name in dict.fromkeys(self.names):
+            own = np.flatnonzero([one == name for one in self.names])
+            best = int(own[np.argmax(evidence[own])])
+            slot = self._slot(self.effects[best], self.changes[:, best])
+            found[name] = (float(log_mean(evidence[own], axis=0)), slot)
         if self.exchange is not None and len(self.pairs):
-            evidence = relabel_evidence(self._exchanged(state), state.rss, self.space.prior, dof)
-            first, second = self.pairs[int(np.argmax(evidence))].tolist()
+            pairs = evidence[count:]
+            first, second = self.pairs[int(np.argmax(pairs))].tolist()
             effect = self.exchange.exchanged(first, second)
             change = Relabelling.of(self.problem, effect).change_in(self.problem, self.space)
-            slot = self._slot(effect, change)
-            found[effect.id] = (float(log_mean(evidence, axis=0)), slot)
+            found[effect.id] = (float(log_mean(pairs, axis=0)), self._slot(effect, change))
         return found
 
     def _slot(self, effect: Effect, change: FloatArray) -> Slot:

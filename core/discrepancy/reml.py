@@ -5,6 +5,7 @@ repeats at a position nor what goes with time (restricted likelihood: Patterson 
 """
 
 from dataclasses import dataclass
+from statistics import NormalDist
 
 import numpy as np
 
@@ -37,22 +38,44 @@ class Sizes:
         matrices = zip(parts, self.ratio, strict=True)
         return np.sum([part.matrix * ratio**2 for part, ratio in matrices], axis=0)
 
-    def drawn(self, rng: np.random.Generator) -> "Sizes":
-        """Sizes as they could be as well."""
-        step = rng.multivariate_normal(np.zeros(len(self.ratio)), self.spread, method="cholesky")
-        return Sizes(self.ratio * np.exp(0.5 * step), self.spread, self.dof)
+    def drawn(
+        self, count: int, rng: np.random.Generator, wider: float = 1.0
+    ) -> tuple["Sizes", ...]:
+        """So many choices of the sizes as they could be as well, spread evenly.
+
+        Parameters
+        ----------
+        wider : how much further they go than is likely
+        """
+        root = np.linalg.cholesky(self.spread)
+        steps = wider * even_normal(count, len(self.ratio), rng) @ root.T
+        return tuple(
+            Sizes(self.ratio * np.exp(0.5 * step), self.spread, self.dof) for step in steps
+        )
+
+
+def even_normal(count: int, dimensions: int, rng: np.random.Generator) -> FloatArray:
+    """Normal numbers (count, dimensions), in each dimension one from each equal part.
+
+    A dozen free draws hold freaks, and what is judged by them is (McKay, Beckman, Conover 1979).
+    """
+    quantile = NormalDist().inv_cdf
+    middles = np.array([quantile((i + 0.5) / count) for i in range(count)])
+    return np.column_stack([rng.permutation(middles) for _ in range(dimensions)])
 
 
 def prior_of(parts: tuple[Component, ...]) -> FloatArray:
     """Covariance (k, k) of the logarithms of the variances before anything is measured.
 
-    Parts of one family (``drift``, ``slow_drift``) are large or small together.
+    Parts of one family (``drift``, ``slow_drift``) are large or small together, and so are those
+    that are guessed from the same scatter.
     """
     spread = np.array([2.0 * part.spread for part in parts])
     family = [part.name.removeprefix("slow_") for part in parts]
     together = np.array([[_TOGETHER if a == b else 0.0 for a in family] for b in family])
     np.fill_diagonal(together, 1.0)
-    return together * np.outer(spread, spread)
+    common = np.array([2.0 * part.common for part in parts])
+    return together * np.outer(spread, spread) + np.outer(common, common)
 
 
 def stated_sizes(parts: tuple[Component, ...]) -> Sizes:

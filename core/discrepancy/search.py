@@ -1,6 +1,6 @@
 """Names compete: gross faults first, a beam of sets, exchange of names, elimination."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,10 +9,13 @@ from core.arrays import FloatArray
 from core.discrepancy.bank import Instance, Projected
 from core.discrepancy.curves import Curve
 from core.discrepancy.evidence import block_evidence
+from core.discrepancy.features import Features
 from core.discrepancy.problem import Problem
 from core.discrepancy.relabels import Relabels
 from core.discrepancy.result import UNKNOWN
 from core.discrepancy.slots import Slot, State, state_of
+from core.discrepancy.space import Space
+from core.discrepancy.views import View, together
 
 _WIDTH, _FIRST = 5, 8
 _GROSS, _AHEAD = 60.0, 30.0
@@ -58,16 +61,18 @@ class Search:
     curve_doubts : the same of each curve
     threshold : evidence beyond this that a name must have
     most : steps at most
+    views : the run under other sizes of its noise; none where one floor is enough
     """
 
     problem: Problem
     bank: Projected
     relabels: Relabels
-    curves: tuple[Curve, ...]
+    curves: tuple[Curve | Features, ...]
     doubts: Mapping[str, float]
     curve_doubts: tuple[float, ...]
     threshold: float
     most: int
+    views: tuple[View, ...] = ()
 
     def state(self, slots: tuple[Slot, ...], evidence: float = 0.0) -> State:
         """The state of a set of slots."""
@@ -76,7 +81,7 @@ class Search:
     def scores(self, state: State) -> dict[str, Scored]:
         """All names as the next step of a state, without unknown structure."""
         bank = self.bank.bank
-        evidence = self.bank.evidence(state.residual, state.added)
+        evidence = self._evidence(state)
         by_name = bank.by_name(evidence)
         found: dict[str, Scored] = {}
         for place, name in enumerate(bank.names):
@@ -91,9 +96,38 @@ class Search:
             if slot.instance.effect.step > 0.0 and value > _WORTH_A_LOOK:
                 value += self.whole(slot, state)
             found[name] = Scored(value, value - self.doubts.get(name, 0.0), slot)
-        for name, (value, slot) in self.relabels.scores(state).items():
+        for name, (value, slot) in self.relabels.scores(self._relabelled(state)).items():
             found[name] = Scored(value, value - self.doubts.get(name, 0.0), slot)
         return found
+
+    def _evidence(self, state: State) -> FloatArray:
+        """Evidence (m,) of all instances, under all sizes of the noise that are possible."""
+        if not self.views:
+            return self.bank.evidence(state.residual, state.added)
+        return self._heard(state, lambda view, s: view.bank.evidence(s.residual, s.added))
+
+    def _relabelled(self, state: State) -> FloatArray:
+        """The same of all relabellings and exchanges."""
+        if not self.views:
+            return self.relabels.evidence(state)
+        return self._heard(state, lambda view, s: view.relabels.evidence(s))
+
+    def _structure(self, state: State) -> FloatArray:
+        """The same (k,) of all curves."""
+
+        def of(curves: tuple[Curve | Features, ...], space: Space, state: State) -> FloatArray:
+            return np.array([c.beside(state.residual, state.added, space) for c in curves])
+
+        if not self.views:
+            return of(self.curves, self.bank.space, state)
+        return self._heard(state, lambda view, s: of(view.curves, view.bank.space, s))
+
+    def _heard(self, state: State, asked: Callable[[View, State], FloatArray]) -> FloatArray:
+        """What all views say, each heard as far as the state fits it."""
+        there = [view.state(state, self.problem.y) for view in self.views]
+        each = [asked(view, one) for view, one in zip(self.views, there, strict=True)]
+        heard = [view.heard(one.rss) for view, one in zip(self.views, there, strict=True)]
+        return together(each, heard)
 
     def _plausible(self, instance: int, state: State) -> float:
         """What speaks against a size far beyond what sensors and rigs of this kind show."""
@@ -133,16 +167,14 @@ class Search:
 
     def unknown(self, state: State) -> Scored:
         """Unknown structure as the next step of a state."""
-        space = self.bank.space
-        values = [curve.beside(state.residual, state.added, space) for curve in self.curves]
-        if not values:
+        if not self.curves:
             return Scored(0.0, 0.0, None)
+        values = self._structure(state)
         usable = np.array([curve.regressor.competes for curve in self.curves])
-        margins = np.where(usable, np.array(values) - np.array(self.curve_doubts), -np.inf)
+        margins = np.where(usable, values - np.array(self.curve_doubts), -np.inf)
         best = int(np.argmax(margins))
-        return Scored(
-            values[best] - _UNKNOWN_COST, float(margins[best]) - _UNKNOWN_COST, None, best
-        )
+        value, margin = float(values[best]), float(margins[best])
+        return Scored(value - _UNKNOWN_COST, margin - _UNKNOWN_COST, None, best)
 
     def run(self, forced: tuple[Slot, ...] = ()) -> tuple[State, Scored | None]:
         """Find the best set.

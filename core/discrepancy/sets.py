@@ -8,9 +8,11 @@ from core.discrepancy.engine import Engine
 from core.discrepancy.search import Scored, ranking
 from core.discrepancy.slots import State
 
-_TIE = 3.0
+_TIE = 4.0
 _FAST, _FOLDED_ONTO = "head_periodic_error", ("head_eccentricity", "head_ellipticity")
 """On few equal steps a fast error of the dial has the columns of a slow one and none of its own."""
+
+_SHORT, _LIKE_SHORT = "short_accumulation", ("outlier", "wrong_angle")
 
 _ALIAS = 0.998
 """Square of the cosine above which nothing can tell two effects apart."""
@@ -58,7 +60,7 @@ def rivals_of(engine: Engine, state: State, place: int) -> Rivals:
     return Rivals(
         others=others,
         ranked=ranked,
-        names=tuple(dict.fromkeys([*tied, *twins, *_folded(engine, (*tied, *twins))])),
+        names=tuple(dict.fromkeys([*tied, *twins, *_unseen(engine, (*tied, *twins, slot.name))])),
         aliases=twins,
         probability=own[2],
         evidence=evidence,
@@ -84,11 +86,16 @@ def aliases(engine: Engine, state: State, place: int) -> tuple[str, ...]:
         for number, name in enumerate(bank.names)
         if name != slot.name and np.any(same & (bank.name == number))
     )
-    return (*found, *_folded(engine, (slot.name,)))
+    return (*found, *_unseen(engine, (slot.name,)))
 
 
-def _folded(engine: Engine, names: tuple[str, ...]) -> tuple[str, ...]:
-    """A fast error of the dial, where these rows show it as a slow one among the names."""
+def _unseen(engine: Engine, names: tuple[str, ...]) -> tuple[str, ...]:
+    """What these rows cannot show as itself, and would show as one of the names.
+
+    A fast error of the dial as a slow one; without standard errors an accumulation that was too
+    short as any other bad row.
+    """
     offered = any(effect.id == _FAST for effect in engine.problem.effects)
-    folds = offered and _FAST not in engine.bank.names
-    return (_FAST,) if folds and not set(names).isdisjoint(_FOLDED_ONTO) else ()
+    folds = offered and _FAST not in engine.bank.names and not set(names).isdisjoint(_FOLDED_ONTO)
+    short = _SHORT in engine.problem.untested and not set(names).isdisjoint(_LIKE_SHORT)
+    return (*((_FAST,) if folds else ()), *((_SHORT,) if short else ()))

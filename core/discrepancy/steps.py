@@ -140,7 +140,7 @@ def unknown_curve(engine: Engine, others: State, one: Scored) -> FloatArray:
         rest = rest - others.added @ (others.added.T @ rest)
         return one.path * float(rest @ others.residual) / max(float(rest @ rest), 1e-300)
     curve = engine.search.curves[one.regressor]
-    smooth = curve.shrunk(others.residual, curve.amplitude(others.residual))
+    smooth = curve.fitted(others.residual)
     return engine.search.bank.space.chol @ smooth
 
 

@@ -26,6 +26,7 @@ class Hysteresis(Effect):
     memory : which rows come from the row before them, see `terms.previous`
     by_turning : the side is that in which the input moved at the end of the turn, else that of
         the last input
+    first : side from which the very first row was reached, 1 or -1; 0 leaves it out
     """
 
     id = "hysteresis"
@@ -41,15 +42,17 @@ class Hysteresis(Effect):
     confused_with = ("settling_lag", "bias_asymmetry")
     typical = {"accelerometer": 0.1, "gyro": 0.02}  # noqa: RUF012
 
-    def __init__(self, memory: str = "mounting", *, by_turning: bool = False) -> None:
-        self._memory, self._turning = memory, by_turning
+    def __init__(
+        self, memory: str = "mounting", *, by_turning: bool = False, first: float = 0.0
+    ) -> None:
+        self._memory, self._turning, self._first = memory, by_turning, first
 
     def parameters(self, sensor: Sensor) -> tuple[Parameter, ...]:
         """One: half the width of the loop, mg or deg/s."""
         return (Parameter("hysteresis", "h", small_unit(sensor)),)
 
     def columns(self, stimulus: Stimulus, sensor: Sensor) -> FloatArray:
-        """1 after a rise, -1 after a fall, 0 where it is not known."""
+        """1 after a rise, -1 after a fall, 0 where it is not known; kept where nothing moved."""
         before = previous(stimulus, self._memory)
         x = own(stimulus, sensor)
         change = x - x[before]
@@ -57,13 +60,21 @@ class Hysteresis(Effect):
             head = stimulus.columns["head_deg"]
             turn = (head - head[before] + 180.0) % 360.0 - 180.0
             change = stimulus.da_dhead[:, sensor.index] * turn
-        return column(small_gain(sensor) * sign_of(change))
+        side = sign_of(change)
+        side[0] = self._first
+        for row in range(1, len(side)):
+            if side[row] == 0.0 and before[row] != row:
+                side[row] = side[row - 1]
+        return column(small_gain(sensor) * side)
 
     def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
         """All ways in which the side can be meant."""
         ways = (False, True) if np.any(stimulus.da_dhead) else (False,)
         return tuple(
-            Hysteresis(memory, by_turning=turning) for memory in MEMORIES for turning in ways
+            Hysteresis(memory, by_turning=turning, first=first)
+            for memory in MEMORIES
+            for turning in ways
+            for first in (0.0, 1.0, -1.0)
         )
 
 

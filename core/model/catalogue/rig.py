@@ -34,6 +34,8 @@ class _OfMountings(Effect):
     needs = ("mount",)
     kind = Kind.BLOCK
     instant = False
+    referred = 1
+    """Mountings to which the others are referred, for what all have in common is no effect."""
 
     def __init__(self, *mounts: int, by_bolting: bool = False) -> None:
         self._mounts, self._anew = mounts or (0,), by_bolting
@@ -49,18 +51,18 @@ class _OfMountings(Effect):
         return indicators(groups, self._mounts)
 
     def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
-        """Every mounting, and all but the first together."""
+        """Every mounting, and all together, less those to which the others can be referred."""
         make = type(self)
         mounts = len(levels(stimulus.column("mount")))
         bolted = int(setups(stimulus)[-1]) + 1
         if mounts < 2:
             return ()
         found: list[Effect] = [make(mount) for mount in range(mounts)]
-        if mounts > 2:
-            found.append(make(*range(1, mounts)))
+        if mounts - self.referred > 1:
+            found.append(make(*range(self.referred, mounts)))
         if bolted > mounts:
             found += [make(bolting, by_bolting=True) for bolting in range(bolted)]
-            found.append(make(*range(1, bolted), by_bolting=True))
+            found.append(make(*range(self.referred, bolted), by_bolting=True))
         return tuple(found)
 
 
@@ -78,6 +80,8 @@ class MountingAngle(_OfMountings):
     remedy = "align the unit on the fixture anew; mount it both ways round to tell it from k_zy"
     confused_with = ("head_ellipticity", "shaft_tilt")
     typical = {"accelerometer": 60.0}  # noqa: RUF012
+    # About each axis of the case it is another one: nothing is common to all but that.
+    referred = 0
 
     def parameters(self, sensor: Sensor) -> tuple[Parameter, ...]:
         """The angle, arcsec."""

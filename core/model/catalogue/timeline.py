@@ -23,6 +23,7 @@ from core.model.effect import Effect, Kind, Parameter, Sensor
 from core.model.stimulus import Stimulus
 
 _MINUTES_PER_H = 60.0
+_MOST_LINES = 200
 
 
 class BiasDrift(Effect):
@@ -308,11 +309,19 @@ class Pickup(Effect):
         return small_gain(sensor) * column(np.sin(angle), np.cos(angle))
 
     def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
-        """From three periods to the fold, half a period apart."""
-        fastest = (len(stimulus) - 1) / 2.0
+        """From three periods to the fold of the usual pause, half a period apart.
+
+        Where the unit was bolted anew the test stood still, so that there are more periods in it
+        than half its rows.
+        """
+        t = hours(stimulus)
+        pause = float(np.median(np.diff(t))) if len(t) > 1 else 0.0
+        if pause <= 0.0:
+            return ()
+        fastest = 0.5 * float(np.ptp(t)) / pause
         if fastest < 4.0:
             return ()
-        step = max(0.5, (fastest - 3.0) / 120.0)
+        step = max(0.5, (fastest - 3.0) / _MOST_LINES)
         return tuple(Pickup(float(cycles)) for cycles in np.arange(3.0, fastest - 0.25, step))
 
     def near(self, fraction: float = 1.0) -> tuple[Effect, ...]:

@@ -96,6 +96,29 @@ def test_hysteresis_turns_with_the_way_and_is_unknown_at_first():
     assert whole == pytest.approx(1e-3)
 
 
+def test_hysteresis_keeps_its_side_where_the_input_stays_and_may_begin_at_either():
+    head = np.radians([0.0, 90.0, 90.0, 180.0])
+    a = 9.81 * np.column_stack([np.zeros(4), -np.sin(head), np.cos(head)])
+    still = Stimulus(a, a, 0.0 * a, a, {"mount": np.zeros(4), "run": np.ones(4)})
+    found = Hysteresis("all", first=1.0).columns(still, Z)[:, 0]
+    assert found == pytest.approx(1e-3 * np.array([1.0, -1.0, -1.0, -1.0]))
+    assert Hysteresis("all").columns(still, Z)[0, 0] == 0.0
+
+
+def test_a_line_is_looked_for_up_to_the_fold_of_the_usual_pause():
+    t = np.concatenate([30.0 * np.arange(40), 2000.0 + 30.0 * np.arange(40)])
+    rows = Stimulus(np.zeros((80, 3)), np.zeros((80, 3)), np.zeros((80, 3)), np.zeros((80, 3)),
+                    {"t_s": t})  # fmt: skip
+    cycles = [one.shape[0][1] for one in Pickup().instances(rows, Z)]
+    assert max(cycles) == pytest.approx(0.5 * np.ptp(t) / 30.0, abs=0.5)
+
+
+def test_all_mountings_may_stand_turned_each_by_its_own_angle():
+    together = MountingAngle().instances(ON_HEAD, Z)[2]
+    assert [value for _, value in together.shape] == [1.0, 2.0]
+    assert together.columns(ON_HEAD, Z).shape == (N, 2)
+
+
 def test_lag_is_the_missing_part_of_the_step():
     u = A @ Z.sensitivity
     found = SettlingLag("mounting").columns(ON_HEAD, Z)[:, 0]
