@@ -112,11 +112,9 @@ def hidden_of(
         seen = name == "stale_temperature" or glass.visibility(name, hidden) > 20.0
         return hidden if seen else None
     limit = kinds.limit_of(glass.world, name, kind)
-    size = severity.sized(glass, name, shape, limit, spec.lam)
-    if size is None:
-        return None
-    sign = 1.0 if name in ONE_SIGN else rng.choice([-1.0, 1.0])
-    return Hidden(float(size * sign), shape)
+    sign = 1.0 if name in ONE_SIGN else float(rng.choice([-1.0, 1.0]))
+    size = severity.sized(glass, name, shape, limit, spec.lam, sign)
+    return None if size is None else Hidden(float(size * sign), shape)
 
 
 def separate(glass: Glass, found: Effects) -> bool:

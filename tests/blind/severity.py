@@ -84,11 +84,16 @@ class Glass:
         return float(np.linalg.norm(self.change({name: hidden})))
 
 
-def sized(glass: Glass, name: str, shape: dict, limit: float, wanted: float) -> float | None:
-    """The size that gives lambda `wanted`; None if it takes more than `limit`."""
+def sized(
+    glass: Glass, name: str, shape: dict, limit: float, wanted: float, sign: float = 1.0
+) -> float | None:
+    """The size that gives lambda `wanted` with that sign; None if it takes more than `limit`.
+
+    Angles act inside sine and cosine: at a cardinal position one sign shows more than the other.
+    """
 
     def lam(size: float) -> float:
-        return glass.visibility(name, Hidden(size, shape))
+        return glass.visibility(name, Hidden(sign * size, shape))
 
     low, high = 0.0, limit
     if lam(limit) < wanted:

@@ -133,6 +133,16 @@ def test_every_effect_gets_its_lambda_or_is_left_out(plan: str):
     assert left_out == []
 
 
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_a_wrong_angle_at_a_cardinal_position_gets_its_lambda_with_its_sign(sign: float):
+    world = unit("A80")
+    glass = Glass(world)
+    row = int(np.flatnonzero(world.plan.setting % 90.0 == 0.0)[2])
+    size = severity.sized(glass, "wrong_angle", {"row": row}, 0.2, 12.0, sign)
+    seen = glass.visibility("wrong_angle", Hidden(sign * size, {"row": row}))
+    assert seen == pytest.approx(12.0, rel=2e-3)
+
+
 def test_what_the_four_cardinal_angles_cannot_see_is_left_out():
     spec = Spec("A24", "single", 12.0, 1, "third_order_nonlinearity")
     assert draw_case(spec) is None
