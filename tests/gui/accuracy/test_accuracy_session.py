@@ -2,7 +2,6 @@
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,12 +12,8 @@ from core.arrays import frozen, frozen_int
 from core.procedures.angle_errors import ROLL, main_angle
 from core.records.legacy.reader import read_legacy
 from core.samples.block import Channel, SampleBlock
-from drivers.profile import load_profiles
 from gui.accuracy.tab import AccuracyTab
-from gui.jobs import Jobs
-from gui.messages import Messages
 from gui.services import Services
-from gui.settings import Settings
 from tests.gui.fake_bench import FakeConnection
 
 G = 9.8106
@@ -106,24 +101,13 @@ class AngleConnection(FakeConnection):
 
 
 @pytest.fixture
-def angles(qtbot: QtBot, tmp_path: Path) -> Iterator[tuple[AccuracyTab, AngleConnection]]:
-    connection, jobs = AngleConnection(), Jobs()
-    services = Services(
-        connection,
-        jobs,
-        Messages(),
-        Settings(tmp_path / "set.json"),
-        load_profiles,
-        lambda: tmp_path,
-        lambda _: None,
-        lambda _: False,
-    )
-    tab = AccuracyTab(services)
+def angles(qtbot: QtBot, services: Services) -> Iterator[tuple[AccuracyTab, AngleConnection]]:
+    connection = AngleConnection()
+    tab = AccuracyTab(replace(services, connection=connection))
     qtbot.addWidget(tab.widget)
     connection.plug("VN")
     yield tab, connection
     tab.close()
-    jobs.close()
 
 
 def test_a_unit_without_raw_codes_is_measured_and_judged_by_its_own_angles(

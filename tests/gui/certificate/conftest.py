@@ -1,6 +1,7 @@
 """The tab Certificates with real jobs, and results on the disk."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -9,14 +10,9 @@ from pytestqt.qtbot import QtBot
 from core.certificates.laboratory import FILE, Laboratory, Standard, write_laboratory
 from core.certificates.measured import Measured
 from core.samples.run import Conditions
-from drivers.profile import load_profiles
 from gui.certificate.tab import CertificateTab
-from gui.devices.connection import Connection
-from gui.jobs import Jobs
 from gui.measured_file import measured_of_file
-from gui.messages import Messages
 from gui.services import Services
-from gui.settings import Settings
 
 SPECIMENS = Path(__file__).parents[2] / "data" / "legacy"
 TRIAD = SPECIMENS / "OpticalDividingHead_202405140930.txt"
@@ -51,27 +47,16 @@ def root(tmp_path: Path) -> Path:
 
 
 @pytest.fixture
-def make_services(qtbot: QtBot, root: Path) -> Iterator[Callable[..., Services]]:
-    """What tabs share, with other hooks if wanted."""
-    jobs, messages = Jobs(), Messages()
-    connection = Connection(load_profiles, lambda: root, messages)
-    settings = Settings(root / "settings.json")
-
-    def make(**hooks: Callable[..., object]) -> Services:
-        return Services(
-            connection, jobs, messages, settings, load_profiles, lambda: root, print, **hooks
-        )
-
-    yield make
-    jobs.close()
-    connection.close()
+def services(services: Services, root: Path) -> Services:
+    """What tabs share, with the folder of the laboratory."""
+    return replace(services, root=lambda: root)
 
 
 @pytest.fixture
-def tab(qtbot: QtBot, make_services: Callable[..., Services]) -> Iterator[CertificateTab]:
+def tab(qtbot: QtBot, services: Services) -> Iterator[CertificateTab]:
     """The tab on the screen."""
-    services = make_services(read_measured=lambda path: measured_of_file(path, Conditions()))
-    one = CertificateTab(services)
+    reading = replace(services, read_measured=lambda path: measured_of_file(path, Conditions()))
+    one = CertificateTab(reading)
     qtbot.addWidget(one.widget)
     one.widget.resize(1200, 700)
     one.widget.show()

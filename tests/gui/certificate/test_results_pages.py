@@ -1,6 +1,6 @@
 """The button Certificate on the results pages hands over what is on them."""
 
-from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -27,11 +27,11 @@ def test_a_results_page_is_handed_over(
     kind: type[MeasuringTab],
     path: Path,
     sensor: str,
-    make_services: Callable[..., Services],
+    services: Services,
     qtbot: QtBot,
 ):
     given: list[Measured] = []
-    tab = kind(make_services(certify=given.append))
+    tab = kind(replace(services, certify=given.append))
     qtbot.addWidget(tab.widget)
     tab.widget.resize(1280, 760)
     tab.widget.show()
