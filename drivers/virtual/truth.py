@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from core.fit.estimate import Estimate
 from core.fit.result import FitResult
 from core.procedures.calibration import Calibration
-from core.procedures.g_sensitivity import GSensitivity
 from core.procedures.rate_table import RateTable
 from drivers.virtual.devices import Output
 from drivers.virtual.rig import Rig
@@ -38,12 +37,6 @@ def compare(calibration: Calibration, rig: Rig) -> tuple[Compared, ...]:
     pairs = zip(calibration.channels, calibration.fits, strict=True)
     triad = "acc." if calibration.sensor == "accelerometer" else "rate."
     return tuple(row for channel, fit in pairs for row in _of_fit(channel, fit, triad, rig))
-
-
-def compare_positions(found: GSensitivity, rig: Rig) -> tuple[Compared, ...]:
-    """The same of gyros at rest in different positions."""
-    fits = ((sensor.channel, sensor.fit) for sensor in found.sensors)
-    return tuple(row for channel, fit in fits for row in _of_fit(channel, fit, "rate.", rig))
 
 
 def compare_rates(table: RateTable, rig: Rig) -> tuple[Compared, ...]:

@@ -18,7 +18,7 @@ from core.samples.run import Conditions, Run
 from drivers.virtual.address import rig_of
 from drivers.virtual.rig import Rig
 from drivers.virtual.session import RAW_NAME, Order, simulate_record, simulate_session
-from drivers.virtual.truth import Compared, compare, compare_positions, compare_rates, report
+from drivers.virtual.truth import Compared, compare, compare_rates, report
 from gui.commands.answer import Answer
 from gui.commands.conditions import KYIV_G_MPS2, add_conditions, conditions_of
 
@@ -103,7 +103,7 @@ def _beside_truth(measured: Run, conditions: Conditions, rig: Rig) -> tuple[Comp
     if measured.test == "rate_table":
         return compare_rates(calibrate_rate_table(measured, conditions), rig)
     if measured.test == "static_positions":
-        return compare_positions(fit_g_sensitivity(measured, conditions), rig)
+        return compare(fit_g_sensitivity(measured, conditions).calibration(), rig)
     return ()
 
 

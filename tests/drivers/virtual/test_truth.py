@@ -12,7 +12,7 @@ from core.procedures.rate_table import calibrate_rate_table
 from core.samples.run import Conditions
 from drivers.virtual.address import rig_of
 from drivers.virtual.session import Order, simulate_session
-from drivers.virtual.truth import compare, compare_positions, compare_rates, report
+from drivers.virtual.truth import compare, compare_rates, report
 
 STATED = Conditions(g_mps2=9.8106, repeatability=np.nan)
 
@@ -48,6 +48,6 @@ def test_g_sensitivities_stand_beside_their_truth(tmp_path: Path) -> None:
     plan = replace(load_plans()["g_sensitivity_4"], accumulation_s=1.0, settle_s=0.5)
     url = "sim://clbdus?speed=max&name=at_rest"
     run = simulate_session(Order(url, plan, "gyro", STATED), tmp_path / "s")
-    rows = compare_positions(fit_g_sensitivity(run, STATED), rig_of(url))
+    rows = compare(fit_g_sensitivity(run, STATED).calibration(), rig_of(url))
     assert {row.symbol for row in rows} == {"U0", "b_zy", "b_zz"}
     assert sum(row.covered for row in rows) >= 20
