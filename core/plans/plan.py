@@ -16,6 +16,8 @@ from core.errors import FormatError
 from core.plans.orientation import LEVEL, BaseOrientation, Mount, earth_rate, specific_force
 
 TESTS = ("dividing_head", "rate_table", "static_positions", "accuracy", "record", "headings")
+OWN_PLANS = "plans"
+"""Folder of the user's own plans, beside his sessions."""
 _LARGEST = 1e9
 """Beyond any angle, rate, temperature and number of a step; not-a-number is no number either."""
 

@@ -7,7 +7,7 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication, QObject, Signal
 
 from core.errors import FormatError, LabError, Severity
-from core.plans.plan import Plan, Step, load_plans
+from core.plans.plan import OWN_PLANS, Plan, Step, load_plans
 from core.plans.plan_text import plan_text
 from core.procedures.prediction.catalogue import METHODS
 from core.procedures.prediction.propose import Proposal
@@ -184,7 +184,7 @@ class AdvisorPresenter(QObject):
 
     def _load_plans(self) -> Mapping[str, Plan]:
         try:
-            return load_plans(self._root() / "plans")
+            return load_plans(self._root() / OWN_PLANS)
         except FormatError as error:
             words = QCoreApplication.translate("Advisor", "A plan of your own is refused")
             self._messages.tell_error(SOURCE, words, error)
@@ -201,7 +201,7 @@ class AdvisorPresenter(QObject):
         raise RuntimeError("a thousand plans of one name")
 
     def _save(self, plan: Plan) -> Path:
-        path = self._root() / "plans" / f"{plan.id}.toml"
+        path = self._root() / OWN_PLANS / f"{plan.id}.toml"
         make_folder(path.parent)
         write_text_atomic(path, plan_text(plan))
         return path

@@ -8,7 +8,7 @@ from PySide6.QtCore import QCoreApplication, QObject
 
 from core.discrepancy.result import NextMeasurement
 from core.errors import LabError, Severity, StorageError
-from core.plans.plan import Plan
+from core.plans.plan import OWN_PLANS, Plan
 from core.plans.plan_text import plan_text
 from core.records.atomic import make_folder, write_text_atomic
 from core.records.names import safe_name
@@ -18,7 +18,6 @@ from gui.messages import Messages
 from gui.widgets.states import BannerState
 
 SOURCE = "discrepancy plan"
-_PLANS = "plans"
 
 
 class FollowUp(QObject):
@@ -65,7 +64,7 @@ class FollowUp(QObject):
         if plan is None or story is None:
             return
         try:
-            path = keep_plan(plan, story.run.device, self._root() / _PLANS)
+            path = keep_plan(plan, story.run.device, self._root() / OWN_PLANS)
         except LabError as error:
             words = QCoreApplication.translate("Discrepancy", "The plan is not kept")
             self._messages.tell_error(SOURCE, words, error)

@@ -9,7 +9,7 @@ from weakref import WeakSet
 from PySide6.QtCore import QObject
 
 from core.errors import LabError, Severity
-from core.plans.plan import Plan, Step, load_plans
+from core.plans.plan import OWN_PLANS, Plan, Step, load_plans
 from core.procedures.measuring import Phase
 from core.records.session.find import Unfinished, unfinished
 from gui.exporting import ExportFormat, Exporting
@@ -26,9 +26,6 @@ from gui.measuring.sitting import Sitting
 from gui.measuring.taking import Taking
 from gui.measuring.view import MeasuringView
 from gui.services import Addition, Services
-
-OWN_PLANS = "plans"
-"""Folder of the user's own plans, under that of all sessions."""
 
 MODEL_VS_DATA = "Model vs data"
 """The tab that tells what a model lacks, and the tests whose models it knows."""
