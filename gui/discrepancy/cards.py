@@ -208,7 +208,7 @@ def _row(candidate: Candidate, best: float, seconds: FloatArray) -> CandidateRow
         nats=fixed(candidate.evidence, 0 if candidate.evidence >= _LARGE else 1),
         share=fixed(100.0 * candidate.probability, 0),
     )
-    left = QCoreApplication.translate("Discrepancy", "leaves a gap of {gap}").format(
+    left = QCoreApplication.translate("Discrepancy", "gap {gap}").format(
         gap=fixed(candidate.gap_after, 2)
     )
     share = min(max(candidate.evidence / best, 0.0), 1.0) if best > 0 else 0.0

@@ -51,7 +51,8 @@ def place_words(one: Where) -> str:
     sigmas = fixed(one.worst_sigma, 1)
     sign = "+" if one.worst_sigma > 0 else ""
     template = QCoreApplication.translate("Discrepancy", "{sigmas} σ at {value}")
-    unit = unit_words(one.unit)
+    # A joiner behind the stroke: a unit is not broken into two lines.
+    unit = unit_words(one.unit).replace("/", "/\N{WORD JOINER}")
     gap = "" if unit == "°" or not unit else " "
     return template.format(sigmas=f"{sign}{sigmas}", value=f"{value}{gap}{unit}")
 

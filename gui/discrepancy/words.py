@@ -89,9 +89,9 @@ def _regressors() -> dict[str, str]:
     return {
         "head_deg": QCoreApplication.translate("Discrepancy", "Head angle"),
         "set_rate_dps": QCoreApplication.translate("Discrepancy", "Set rate"),
-        "a_x": QCoreApplication.translate("Discrepancy", "a_x, along case X"),
-        "a_y": QCoreApplication.translate("Discrepancy", "a_y, along case Y"),
-        "a_z": QCoreApplication.translate("Discrepancy", "a_z, along case Z"),
+        "a_x": QCoreApplication.translate("Discrepancy", "a_x along case X"),
+        "a_y": QCoreApplication.translate("Discrepancy", "a_y along case Y"),
+        "a_z": QCoreApplication.translate("Discrepancy", "a_z along case Z"),
         "order": QCoreApplication.translate("Discrepancy", "Order of measuring"),
         "t_s": QCoreApplication.translate("Discrepancy", "Time"),
         "since_mounting": QCoreApplication.translate("Discrepancy", "Time since the mounting"),
