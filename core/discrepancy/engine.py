@@ -37,6 +37,7 @@ class Engine:
     search : all hypotheses, with the threshold of this plan and this noise
     nulls : (n, k) whitened residuals of data that are only noise
     top : (k,) evidence of the best name in each of them, ascending
+    answer : what the search finds, where it had to be asked already
     """
 
     problem: Problem
@@ -47,6 +48,7 @@ class Engine:
     search: Search
     nulls: FloatArray
     top: FloatArray
+    answer: tuple[State, Scored | None] | None = None
 
     @classmethod
     def of(cls, problem: Problem, settings: Settings) -> "Engine":
@@ -58,16 +60,19 @@ class Engine:
         if not _same(state.slots, gross):
             floor = Floor.of(problem, settings, state.slots)
             engine = under(problem, settings, bank, floor, made=made)
-        wide = _seen(engine, made)
-        if wide.search.views:
-            again, _ = wide.search.run()
-            if not _same(again.slots, state.slots):
-                floor = Floor.of(problem, settings, again.slots)
-                wide = _seen(under(problem, settings, bank, floor, made=made), made)
-        return calibrated(wide)
+        engine = calibrated(_seen(engine))
+        if engine.search.views:
+            answer = engine.search.run()
+            if _same(answer[0].slots, state.slots):
+                return replace(engine, answer=answer)
+            floor = Floor.of(problem, settings, answer[0].slots)
+            engine = calibrated(_seen(under(problem, settings, bank, floor, made=made)))
+        return engine
 
     def found(self, forced: tuple[Slot, ...] = ()) -> tuple[State, Scored | None]:
         """The best set of effects that holds the forced ones."""
+        if self.answer is not None and not forced:
+            return self.answer
         return self.search.run(forced)
 
     def p_value(self, evidence: float) -> float:
@@ -134,10 +139,11 @@ def _same(some: tuple[Slot, ...], others: tuple[Slot, ...]) -> bool:
     return {slot.key for slot in some} == {slot.key for slot in others}
 
 
-def _seen(engine: Engine, made: tuple[Relabelling, ...]) -> Engine:
+def _seen(engine: Engine) -> Engine:
     """With the run under all sizes of the noise that are possible."""
-    views = views_of(engine.problem, engine.bank, engine.floor, engine.regressors, made)
-    return replace(engine, search=replace(engine.search, views=views))
+    search = engine.search
+    views = views_of(engine.problem, engine.bank, engine.floor, engine.regressors, search.relabels)
+    return replace(engine, search=replace(search, views=views))
 
 
 def calibrated(engine: Engine) -> Engine:

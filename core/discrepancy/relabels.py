@@ -1,6 +1,6 @@
 """Hypotheses without parameters: rows that mean something else than they say."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -91,7 +91,6 @@ class Relabels:
         n = len(problem.y)
         exchange = next((e for e in problem.effects if e.kind is Kind.EXCHANGE), None)
         none = np.zeros((0, 2), dtype=np.int64)
-        identity = space.rest(np.eye(n))
         return cls(
             problem=problem,
             space=space,
@@ -100,9 +99,14 @@ class Relabels:
             changes=np.column_stack(changes) if changes else np.zeros((n, 0)),
             exchange=exchange,
             pairs=none if exchange is None else exchange.exchanges(problem.stimulus),
-            identity=identity,
-            inner=identity.T @ identity,
-        )
+            identity=np.zeros((n, n)),
+            inner=np.zeros((n, n)),
+        ).in_space(space)
+
+    def in_space(self, space: Space) -> "Relabels":
+        """The same changes under another noise."""
+        identity = space.rest(np.eye(len(self.problem.y)))
+        return replace(self, space=space, identity=identity, inner=identity.T @ identity)
 
     @property
     def all_names(self) -> tuple[str, ...]:

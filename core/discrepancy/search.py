@@ -23,6 +23,8 @@ _UNKNOWN_COST = 0.5
 _ROUNDS = 3
 _FINEST = 0.02
 _CHORDS = 4
+_STRONG = 4
+"""Curves that are weighed under all sizes of the noise, the strongest under the usual ones."""
 _FAR, _IMPLAUSIBLE = 15.0, -4.6
 _WORTH_A_LOOK, _COARSE, _MOST_BONUS = 10.0, 0.1, 4.0
 
@@ -81,7 +83,7 @@ class Search:
     def scores(self, state: State) -> dict[str, Scored]:
         """All names as the next step of a state, without unknown structure."""
         bank = self.bank.bank
-        evidence = self._evidence(state)
+        evidence, relabelled = self._evidence(state)
         by_name = bank.by_name(evidence)
         found: dict[str, Scored] = {}
         for place, name in enumerate(bank.names):
@@ -96,31 +98,43 @@ class Search:
             if slot.instance.effect.step > 0.0 and value > _WORTH_A_LOOK:
                 value += self.whole(slot, state)
             found[name] = Scored(value, value - self.doubts.get(name, 0.0), slot)
-        for name, (value, slot) in self.relabels.scores(self._relabelled(state)).items():
+        for name, (value, slot) in self.relabels.scores(relabelled).items():
             found[name] = Scored(value, value - self.doubts.get(name, 0.0), slot)
         return found
 
-    def _evidence(self, state: State) -> FloatArray:
-        """Evidence (m,) of all instances, under all sizes of the noise that are possible."""
+    def _evidence(self, state: State) -> tuple[FloatArray, FloatArray]:
+        """Evidence (m,) of all instances, and (k,) of all relabellings, under all views."""
         if not self.views:
-            return self.bank.evidence(state.residual, state.added)
-        return self._heard(state, lambda view, s: view.bank.evidence(s.residual, s.added))
+            return self.bank.evidence(state.residual, state.added), self.relabels.evidence(state)
 
-    def _relabelled(self, state: State) -> FloatArray:
-        """The same of all relabellings and exchanges."""
-        if not self.views:
-            return self.relabels.evidence(state)
-        return self._heard(state, lambda view, s: view.relabels.evidence(s))
+        def both(view: View, there: State) -> FloatArray:
+            names = view.bank.evidence(there.residual, there.added)
+            return np.concatenate([names, view.relabels.evidence(there)])
+
+        found = self._heard(state, both)
+        count = len(self.bank.bank.instances)
+        return found[:count], found[count:]
 
     def _structure(self, state: State) -> FloatArray:
-        """The same (k,) of all curves."""
+        """The same (k,) of all curves that compete; minus infinity of others, and of weak ones."""
 
-        def of(curves: tuple[Curve | Features, ...], space: Space, state: State) -> FloatArray:
-            return np.array([c.beside(state.residual, state.added, space) for c in curves])
+        def of(curves: tuple[Curve | Features, ...], space: Space, there: State) -> FloatArray:
+            return np.array([c.beside(there.residual, there.added, space) for c in curves])
 
+        usable = np.array([curve.regressor.competes for curve in self.curves])
+        found = np.where(usable, of(self.curves, self.bank.space, state), -np.inf)
         if not self.views:
-            return of(self.curves, self.bank.space, state)
-        return self._heard(state, lambda view, s: of(view.curves, view.bank.space, s))
+            return found
+        strong = np.argsort(-found)[:_STRONG]
+        places: list[int] = strong.tolist()
+
+        def few(view: View, there: State) -> FloatArray:
+            return of(tuple(view.curves[place] for place in places), view.bank.space, there)
+
+        heard = self._heard(state, few)
+        found = np.full(len(usable), -np.inf)
+        found[strong] = np.where(usable[strong], heard, -np.inf)
+        return found
 
     def _heard(self, state: State, asked: Callable[[View, State], FloatArray]) -> FloatArray:
         """What all views say, each heard as far as the state fits it."""
@@ -170,8 +184,7 @@ class Search:
         if not self.curves:
             return Scored(0.0, 0.0, None)
         values = self._structure(state)
-        usable = np.array([curve.regressor.competes for curve in self.curves])
-        margins = np.where(usable, values - np.array(self.curve_doubts), -np.inf)
+        margins = values - np.array(self.curve_doubts)
         best = int(np.argmax(margins))
         value, margin = float(values[best]), float(margins[best])
         return Scored(value - _UNKNOWN_COST, margin - _UNKNOWN_COST, None, best)

@@ -17,7 +17,7 @@ from core.discrepancy.evidence import log_mean
 from core.discrepancy.features import Features, curve_of
 from core.discrepancy.floor import Floor
 from core.discrepancy.problem import Problem
-from core.discrepancy.relabels import Relabelling, Relabels
+from core.discrepancy.relabels import Relabels
 from core.discrepancy.reml import prior_of
 from core.discrepancy.slots import State, state_of
 from core.discrepancy.space import Space
@@ -66,7 +66,7 @@ def views_of(
     bank: Bank,
     floor: Floor,
     regressors: tuple[Regressor, ...],
-    made: tuple[Relabelling, ...],
+    relabels: Relabels,
 ) -> tuple[View, ...]:
     """The views of a run; none where there are so many rows that one floor is enough."""
     n = len(problem.y)
@@ -84,9 +84,8 @@ def views_of(
         away = log - middle
         importance = 0.5 * float(away @ drawn_from @ away - log @ prior @ log)
         curves = tuple(curve_of(one, space) for one in regressors)
-        relabels = Relabels.of(problem, space, made)
         weight = importance - _volume(space, design)
-        found.append(View(bank.in_space(space), relabels, curves, weight))
+        found.append(View(bank.in_space(space), relabels.in_space(space), curves, weight))
     return tuple(found)
 
 

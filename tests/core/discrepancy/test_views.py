@@ -9,12 +9,19 @@ from core.discrepancy.bank import Bank
 from core.discrepancy.engine import Engine
 from core.discrepancy.floor import Floor
 from core.discrepancy.problem import Problem
+from core.discrepancy.relabels import Relabels
 from core.discrepancy.reml import even_normal, stated_sizes
 from core.discrepancy.settings import Settings
-from core.discrepancy.views import together, views_of
+from core.discrepancy.views import View, together, views_of
 from tests.core.discrepancy.hidden import APART, FORTY_EIGHT, head_run
 
 FEW = [row for row in FORTY_EIGHT if row[2] % 90.0 == 0.0]
+
+
+def seen(problem: Problem) -> tuple[View, ...]:
+    floor = Floor.stated(problem, Settings())
+    relabels = Relabels.of(problem, floor.space(problem.design()), ())
+    return views_of(problem, Bank.of(problem), floor, (), relabels)
 
 
 def test_evidence_is_the_mean_of_all_views_by_how_well_they_fit():
@@ -33,8 +40,7 @@ def test_the_same_for_many_residuals_each_with_its_own_weights():
 
 def test_views_that_leave_too_much_or_too_little_are_not_heard():
     problem = Problem.of(head_run(rows=FEW, seed=2))
-    settings = Settings()
-    views = views_of(problem, Bank.of(problem), Floor.stated(problem, settings), (), ())
+    views = seen(problem)
     assert len(views) >= 10
     # Residuals twenty times as large as any of them speak for the largest sizes.
     sizes = [float(np.mean(np.diag(view.bank.space.chol))) for view in views]
@@ -47,8 +53,7 @@ def test_views_that_leave_too_much_or_too_little_are_not_heard():
 
 def test_many_rows_need_one_floor_only():
     problem = Problem.of(head_run(rows=[*APART, *APART, *APART]))
-    floor = Floor.stated(problem, Settings())
-    assert views_of(problem, Bank.of(problem), floor, (), ()) == ()
+    assert seen(problem) == ()
 
 
 def test_what_an_unstated_scatter_would_hide_is_seen():
