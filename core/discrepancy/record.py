@@ -102,7 +102,7 @@ def _story(
     left = locate(engine, state) if state.slots else ()
     slow = tuple(
         _tied(step, names)
-        for step, names in zip(steps_of(engine, state, 0), found.tied, strict=True)
+        for step, names in zip(found.measured(steps_of(engine, state, 0)), found.tied, strict=True)
     )
     if found.unknown is not None:
         slow = (*slow, unknown_step(engine, state, found.unknown))

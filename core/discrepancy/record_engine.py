@@ -15,15 +15,17 @@ from core.discrepancy.problem import Problem
 from core.discrepancy.record_floor import record_floor, usual_floor
 from core.discrepancy.record_problem import Samples, record_problem
 from core.discrepancy.record_refined import NameSet
-from core.discrepancy.record_search import ended, likeliest
+from core.discrepancy.record_search import ended, leavings, likeliest
 from core.discrepancy.record_sets import tied_names
 from core.discrepancy.record_shapes import Key, Shapes
+from core.discrepancy.record_spread import widened
 from core.discrepancy.record_telegraph import telegraph_of
 from core.discrepancy.reml import prior_of
+from core.discrepancy.result import Step
 from core.discrepancy.search import Scored
 from core.discrepancy.settings import Settings
 from core.discrepancy.slots import Slot, State
-from core.model.effect import Effect, Kind
+from core.model.effect import Effect
 
 _UNITS = {
     "t_s": "s",
@@ -90,6 +92,7 @@ class Found:
     unknown : unknown structure, if it ends with that
     doubtful : names that unknown structure could stand for
     tied : names that cannot be told from each slot
+    shapes : what the slots were made with
     """
 
     engine: Engine
@@ -97,6 +100,11 @@ class Found:
     unknown: Scored | None
     doubtful: tuple[str, ...] = ()
     tied: tuple[tuple[str, ...], ...] = ()
+    shapes: Shapes | None = None
+
+    def measured(self, steps: Sequence[Step]) -> Sequence[Step]:
+        """Steps of the slots with all of their uncertainty."""
+        return widened(self.shapes, self.engine, self.state, steps) if self.shapes else steps
 
 
 def search_record(samples: Samples, settings: Settings) -> Found:
@@ -128,11 +136,21 @@ def search_record(samples: Samples, settings: Settings) -> Found:
     best, guessed = _chosen(begun)
     engine = calibrated(_told(best, settings))
     shapes = Shapes(engine.search, first.raw)
-    sets = likeliest(shapes, [one.state.slots for one in best.sets[:_CARRIED] if one.names])
+    sets = likeliest(shapes, _carried([best, *begun]))
     chosen, unknown, doubtful = ended(engine.search, sets)
     found = _with_partial_names(engine, chosen.state, unknown)
     tied = tied_names(shapes, found.state, sets)
-    return replace(found, doubtful=(*doubtful, *guessed), tied=tuple(tied))
+    return replace(found, doubtful=(*doubtful, *guessed), tied=tuple(tied), shapes=shapes)
+
+
+def _carried(readings: Sequence["_Reading"]) -> list[tuple[Slot, ...]]:
+    """The likeliest sets of all readings, each set of names once."""
+    found: dict[tuple[str, ...], tuple[Slot, ...]] = {}
+    for one in readings:
+        for each in one.sets[:_CARRIED]:
+            if each.names:
+                found.setdefault(each.names, each.state.slots)
+    return list(found.values())
 
 
 def _chosen(begun: Sequence["_Reading"]) -> tuple["_Reading", tuple[str, ...]]:
@@ -161,18 +179,13 @@ def _told(best: "_Reading", settings: Settings) -> Engine:
 
 
 def _left_over(begun: Sequence["_Reading"]) -> list[FloatArray]:
-    """What the likeliest sets leave, and what each name leaves alone: a telegraph may be in it."""
+    """What the likeliest sets, and all small ones, leave (n,): a telegraph may be in it."""
     found: list[FloatArray] = []
     for one in begun:
         chol = one.engine.search.bank.space.chol
         found += [chol @ each.state.residual for each in one.sets[:_KEPT]]
     search = begun[0].engine.search
-    plain = search.state(())
-    for score in search.scores(plain).values():
-        if score.slot is not None and score.slot.instance.effect.kind is Kind.BLOCK:
-            state = search.state((search.polished(score.slot, plain),))
-            found.append(search.bank.space.chol @ state.residual)
-    return found
+    return [*found, *(search.bank.space.chol @ left for left in leavings(search))]
 
 
 def _with_partial_names(engine: Engine, state: State, unknown: Scored | None) -> Found:

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from core.arrays import FloatArray
 from core.discrepancy.evidence import block_evidence, log_mean
 from core.discrepancy.record_shapes import Shapes
 from core.discrepancy.record_telegraph import telegraph_of
@@ -11,6 +12,7 @@ from core.discrepancy.slots import Slot, State
 
 _GRID_ROUNDS, _FINE_ROUNDS = 4, 2
 _TELEGRAPH = "telegraph"
+_DUST = 1e-6
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -35,14 +37,15 @@ class NameSet:
 def refined(shapes: Shapes, slots: tuple[Slot, ...]) -> NameSet:
     """A set with the shapes that are best beside each other: first those of the grid, then all."""
     found = slots
-    for fine in (False,) * _GRID_ROUNDS + (True,) * _FINE_ROUNDS:
-        before = [slot.key for slot in found]
-        for place, slot in enumerate(found):
-            others = shapes.state(without(found, place))
-            new = _reshaped(shapes, slot, others, fine)
-            found = (*found[:place], new, *found[place + 1 :])
-        if fine and before == [slot.key for slot in found]:
-            break
+    for fine, rounds in ((False, _GRID_ROUNDS), (True, _FINE_ROUNDS)):
+        for _ in range(rounds):
+            before = [slot.key for slot in found]
+            for place, slot in enumerate(found):
+                others = shapes.state(without(found, place))
+                new = _reshaped(shapes, slot, others, fine)
+                found = (*found[:place], new, *found[place + 1 :])
+            if before == [slot.key for slot in found]:
+                break
     return valued(shapes, found)
 
 
@@ -93,10 +96,21 @@ def without(slots: tuple[Slot, ...], *places: int) -> tuple[Slot, ...]:
     return tuple(slot for i, slot in enumerate(slots) if i not in places)
 
 
-def _of_name(shapes: Shapes, slot: Slot, others: State) -> np.ndarray:
+def _of_name(shapes: Shapes, slot: Slot, others: State) -> FloatArray:
+    """Evidence of all instances of the name of a slot beside others."""
     bank = shapes.search.bank
-    evidence = bank.evidence(others.residual, others.added)
-    return evidence[bank.bank.name == bank.bank.names.index(slot.name)]
+    own = np.flatnonzero(bank.bank.name == bank.bank.names.index(slot.name))
+    if np.any(bank.bank.count[own] > 1):
+        return bank.evidence(others.residual, others.added)[own]
+    columns = bank.columns[:, bank.bank.first[own]]
+    size = np.sum(columns**2, axis=0)
+    columns = columns - others.added @ (others.added.T @ columns)
+    left = np.sum(columns**2, axis=0)
+    free = left > _DUST * np.maximum(size, 1e-300)
+    gain = (columns.T @ others.residual) ** 2 / np.where(free, left, 1.0) * free
+    dof = bank.space.dof - others.added.shape[1]
+    evidence = block_evidence(gain, np.ones(len(own)), others.rss, bank.space.prior, dof)
+    return np.where(free, evidence, 0.0)
 
 
 def _reshaped(shapes: Shapes, slot: Slot, others: State, fine: bool) -> Slot:

@@ -25,6 +25,7 @@ _STARTERS = 30
 _WIDTHS = (24, 14, 8)
 """Sets of two, three, four names that go on."""
 _REFINED = 6
+_PAID = ("telegraph",)
 _AGAIN = ("bias_jump", "pickup")
 """Names that may stand twice in a set; two shapes of any other are one thing of another shape."""
 NEAR = 3.0
@@ -72,7 +73,13 @@ def likeliest(shapes: Shapes, known: Iterable[tuple[Slot, ...]] = ()) -> list[Na
     search = shapes.search
     found: dict[tuple[str, ...], NameSet] = {(): NameSet(shapes.state(()), 0.0)}
 
+    begun_with: set[frozenset[object]] = set()
+
     def take(slots: tuple[Slot, ...]) -> None:
+        keys = frozenset((slot.key, slot.raw.shape[1]) for slot in slots)
+        if keys in begun_with:
+            return
+        begun_with.add(keys)
         one = refined(shapes, slots)
         old = found.get(one.names)
         if old is None or old.worth < one.worth:
@@ -94,6 +101,12 @@ def likeliest(shapes: Shapes, known: Iterable[tuple[Slot, ...]] = ()) -> list[Na
         take(without(best, place))
     kept = [one for one in found.values() if is_needed(shapes, one)]
     return sorted(kept, key=_worth, reverse=True)
+
+
+def leavings(search: Search) -> list[FloatArray]:
+    """What the best sets of one and of two names leave (n,), whitened."""
+    nodes = _grown(search, _WIDTHS[:1])
+    return [node.complete(search.bank)[1] for node in nodes]
 
 
 def _best(sets: Iterable[NameSet]) -> NameSet:
@@ -127,7 +140,9 @@ def _children(
         for instance in (order.astype(np.int64) + start).tolist():
             if instance in node.instances or not search.bank.seen[instance]:
                 continue
-            score = node.score + float(mean[place] + evidence[instance] - top[place])
+            # The odds of a path have paid for its choice already.
+            own_mean = top[place] if name in _PAID else mean[place]
+            score = node.score + float(own_mean + evidence[instance] - top[place])
             found.append(_Node((*node.instances, instance), names, added, residual, score))
     return found
 
@@ -142,13 +157,13 @@ def _best_of_each(nodes: Iterable[_Node], count: int) -> list[_Node]:
     return sorted(found.values(), key=lambda node: node.score, reverse=True)[:count]
 
 
-def _grown(search: Search) -> list[_Node]:
+def _grown(search: Search, widths: tuple[int, ...] = _WIDTHS) -> list[_Node]:
     """Sets of one, two and more names, the best of each size."""
     plain = search.state(())
     first = _children(search, _Node((), (), plain.added, plain.residual, 0.0), _STARTERS)
     found = _best_of_each(first, len(search.bank.bank.names))
     beam = first
-    for width in _WIDTHS[: max(search.most - 1, 0)]:
+    for width in widths[: max(search.most - 1, 0)]:
         beam = _best_of_each((new for node in beam for new in _children(search, node)), width)
         found += beam
     return found
@@ -164,18 +179,18 @@ def _promising(search: Search, nodes: list[_Node]) -> list[_Node]:
 
 
 def _exchanged(shapes: Shapes, slots: tuple[Slot, ...]) -> list[tuple[Slot, ...]]:
-    """The likeliest sets with one or two other names in the place of some."""
+    """The likeliest sets with one or two other names in the place of some, or with one more."""
     search, bank = shapes.search, shapes.search.bank.bank
     found: list[tuple[Slot, ...]] = []
-    for gone in (1, 2):
-        if len(slots) < gone + 1:
+    for gone in (0, 1, 2):
+        if len(slots) < gone + 1 or (gone == 0 and len(slots) >= search.most):
             continue
         for places in combinations(range(len(slots)), gone):
             rest = without(slots, *places)
             others = shapes.state(rest)
             taken = {slot.name for slot in rest}.difference(_AGAIN)
             nodes = [_Node((), (), others.added, others.residual, 0.0)]
-            for each in range(gone):
+            for each in range(max(gone, 1)):
                 count = 4 if each + 1 < gone else 1
                 nodes = [new for node in nodes for new in _children(search, node, count, taken)]
             for node in _best_of_each(nodes, 2):
@@ -189,14 +204,18 @@ def ended(search: Search, sets: list[NameSet]) -> tuple[NameSet, Scored | None, 
 
     Names that explain nearly as much as unknown structure in their place are told, in doubt.
     """
-    best, end, top = sets[0], None, sets[0].worth
-    for one in sets:
-        score = search.unknown(one.state)
+    left = [search.unknown(one.state) for one in sets]
+    # What a set leaves speaks against it, though it may be too little to be told.
+    told = max(
+        zip(sets, left, strict=True), key=lambda one: one[0].worth - max(one[1].evidence, 0.0)
+    )[0]
+    best, end, top = told, None, sets[0].worth
+    for one, score in zip(sets, left, strict=True):
         total = one.worth + score.evidence - search.threshold
         if score.margin > search.threshold and total > top:
             best, end, top = one, score, total
-    if end is None or sets[0].worth < top - _RIVAL or not sets[0].names:
+    if end is None or told.worth < top - _RIVAL or not told.names:
         return best, end, ()
-    told = list(best.names)
-    doubtful = [name for name in sets[0].names if name not in told or told.remove(name)]
-    return sets[0], None, tuple(doubtful)
+    known = list(best.names)
+    doubtful = [name for name in told.names if name not in known or known.remove(name)]
+    return told, None, tuple(doubtful)

@@ -5,18 +5,28 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from core.discrepancy.bank import Bank
+from core.discrepancy.bank import Bank, Instance
 from core.discrepancy.engine import under
 from core.discrepancy.ladder import explain
 from core.discrepancy.record import explain_record
-from core.discrepancy.record_doubts import has_harmonics, moves_between, there_and_back
+from core.discrepancy.record_doubts import (
+    has_harmonics,
+    moves_between,
+    of_no_channel,
+    seldom_or_regular,
+    there_and_back,
+)
 from core.discrepancy.record_engine import search_record
 from core.discrepancy.record_floor import usual_floor
 from core.discrepancy.record_followups import follow_records
 from core.discrepancy.record_problem import Samples, record_problem
 from core.discrepancy.record_telegraph import telegraph_of
 from core.discrepancy.settings import Settings
+from core.discrepancy.slots import Slot, State
 from core.discrepancy.to_json import explanation_to_json
+from core.model.catalogue.record import Telegraph
+from core.model.catalogue.timeline import BiasDrift, BiasJump
+from core.model.effect import Effect
 from tests.core.discrepancy.recorded import hour_run
 
 
@@ -117,3 +127,30 @@ def test_between_the_jumps_of_a_telegraph_the_bias_stands_still(form: str):
     assert path is not None
     assert moves_between(engine, engine.search.state((path,))) == (form == "wave")
     assert not moves_between(engine, engine.search.state(()))
+
+
+def made_of(*effects: Effect) -> State:
+    none = np.zeros((0, 1))
+    slots = tuple(Slot(one.id, Instance(one, 0), none, none[:, 0]) for one in effects)
+    return State(slots, none, none[:, 0], 0.0)
+
+
+@pytest.mark.parametrize(
+    ("rows", "doubtful"),
+    [
+        ((120, 160), True),  # one visit is anything that passes
+        ((40, 55, 130, 141, 260, 300), False),
+        ((40, 80, 118, 157, 199, 240, 281), True),  # as regular as something that turns
+        ((40, 110, 170, 222, 266, 304, 336), True),  # faster and faster
+    ],
+)
+def test_a_telegraph_changes_often_and_at_random(rows: tuple[int, ...], doubtful: bool):
+    assert seldom_or_regular(made_of(Telegraph((rows,), (0.0,)))) == doubtful
+    assert not seldom_or_regular(made_of(BiasJump(100)))
+
+
+def test_several_names_that_follow_no_channel_can_draw_any_curve():
+    drift, jump, path = BiasDrift(), BiasJump(100), Telegraph(((40, 55, 130),), (0.0,))
+    assert of_no_channel(made_of(drift, jump)) == ()
+    assert of_no_channel(made_of(drift, jump, path)) == ("bias_jump", "telegraph")
+    assert of_no_channel(made_of(drift, jump, BiasJump(200))) == ("bias_jump", "bias_drift")
