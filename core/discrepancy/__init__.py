@@ -29,8 +29,9 @@ record
     `explain_record`: the same for a long record, one row a sample.
 record_problem, record_floor, record_engine, record_telegraph
     Means of blocks, their noise, the search on them, paths between two levels.
-record_search, record_refined, record_shapes, record_sets
-    Sets of names, pairs and all; their best shapes; columns made once; what is tied with what.
+record_search, record_refined, record_shapes, record_sets, record_spread
+    Sets of names, pairs and all; their best shapes; columns made once; what is tied with what;
+    uncertainties with the noise and the shapes as they could be.
 record_facts, record_spectrum, record_doubts
     Faults of the data; lines and noise terms at the full rate; lines and levels that are neither.
 record_followups, record_advise
