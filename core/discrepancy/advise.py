@@ -5,39 +5,35 @@ together, no other rival can imitate it (Box and Hill 1967; Hunter and Reiner 19
 """
 
 import math
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterable, Iterator
 
-import numpy as np
-
-from core.arrays import FloatArray
-from core.discrepancy.components import components_of
 from core.discrepancy.engine import Engine
-from core.discrepancy.followups import FollowUp, followups_of
-from core.discrepancy.problem import Problem
-from core.discrepancy.result import UNKNOWN, NextMeasurement
-from core.discrepancy.sets import rivals_of
-from core.discrepancy.slots import Slot, State
-from core.discrepancy.space import Space, orthonormal
-from core.model.effect import Effect
-
-_NEEDED = 14.0
-"""Twice the nats by which one name must lead: three to be alone, four for the choice of shape."""
+from core.discrepancy.followups import (
+    TIMES,
+    FollowUp,
+    everywhere,
+    followups_of,
+    most_rows,
+    where_they_differ,
+)
+from core.discrepancy.outcomes import Outlook
+from core.discrepancy.record_followups import FollowRecord
+from core.discrepancy.result import NextMeasurement
+from core.discrepancy.rivals import Tie, ties_of
+from core.discrepancy.slots import State
+from core.discrepancy.tailored import Pool
 
 _SHOWN = 3
-_MOST_RIVALS = 6
-_NEAREST = 3
-_SURE = 0.98
-"""Chance from which on the shorter follow-up is the better one."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Rival:
-    """One explanation of the data: all slots, with values."""
-
-    names: tuple[str, ...]
-    slots: tuple[Slot, ...]
-    weight: float
+_COUNTS = (24, 48, 84, 120)
+"""Places of the series that are chosen for the rivals."""
+_SHORT_MIN = 50.0
+"""Minutes up to which a usual series is looked at before those that are chosen for the rivals."""
+_HOPELESS = 8.0
+"""Chi-squares of distance after the shortest of those, below which no usual one is looked at."""
+_SURE = 0.97
+"""Chance from which on nothing longer is looked at."""
+_LEAST, _AS_GOOD = 0.05, 0.005
+"""Chance that is not worth showing, and difference of chances that is not worth more minutes."""
 
 
 def advise(
@@ -50,108 +46,73 @@ def advise(
     doubtful : places of steps that may be structure which no effect explains; that behind the
         last is such a step itself
     """
-    sets = tied_sets(engine, state, doubtful)
-    if not sets:
+    ties = ties_of(engine, state, doubtful)
+    if not ties:
         return ()
-    found = [_judged(engine, sets, follow) for follow in followups_of(engine.problem.run)]
-    found = [each for each in found if each.probability > 0.0]
-    found.sort(key=lambda each: (-min(round(each.probability, 2), _SURE), each.minutes))
-    return tuple(found[:_SHOWN])
+    follows = _by_length(engine, ties)
+    return next_of(ties, ((each, Outlook.of(engine, each.run).chance) for each in follows))
 
 
-def tied_sets(
-    engine: Engine, state: State, doubtful: frozenset[int] = frozenset()
-) -> list[list[Rival]]:
-    """The rivals of each step that has any, or that is doubtful."""
-    sets: list[list[Rival]] = []
-    for place in range(len(state.slots)):
-        rivals = rivals_of(engine, state, place)
-        scored = {name: (one, weight) for name, one, weight in rivals.ranked}
-        names = [state.slots[place].name, *rivals.names][:_MOST_RIVALS]
-        named = [name for name in names if name != UNKNOWN]
-        if len(named) == 1 and (UNKNOWN in names or place in doubtful):
-            # What is unknown predicts nothing; the nearest names stand for it.
-            names += [name for name, one, _ in rivals.ranked if one.slot is not None][:_NEAREST]
-            names = list(dict.fromkeys(names))
-        members: list[Rival] = []
-        for name in names:
-            one, weight = scored.get(name, (None, 0.0))
-            slot = state.slots[place] if name == state.slots[place].name else None
-            if slot is None and one is not None and one.slot is not None:
-                slot = engine.search.polished(one.slot, rivals.others)
-            if slot is not None and slot.raw.shape[1]:
-                slots = (*rivals.others.slots, slot)
-                members.append(Rival((name,), slots, max(weight, 0.05)))
-        if len(members) > 1:
-            sets.append(members)
-    if len(state.slots) in doubtful:
-        near = sorted(engine.search.scores(state).values(), key=lambda one: -one.evidence)
-        slots = [one.slot for one in near if one.slot is not None and one.slot.raw.shape[1]]
-        sets.append([Rival((s.name,), (*state.slots, s), 1.0) for s in slots[:_NEAREST]])
-    return sets
+def next_of(
+    ties: tuple[Tie, ...],
+    follows: Iterable[tuple[FollowUp | FollowRecord, Callable[[Tie], float]]],
+) -> tuple[NextMeasurement, ...]:
+    """The few follow-ups that are worth showing: the shortest of the best first.
+
+    Parameters
+    ----------
+    ties : what they are to decide
+    follows : the shorter first, each with what gives the chance that it decides a tie; nothing is
+        looked at behind one that is sure to decide
+    """
+    names = sorted({member.name for tie in ties for member in tie.members})
+    left: list[NextMeasurement] = []
+    for count, (follow, chance_of) in enumerate(follows, 1):
+        chance = math.prod(map(chance_of, ties))
+        if chance > _LEAST:
+            left.append(
+                NextMeasurement(
+                    title=follow.title,
+                    why=f"{follow.why}; tells apart {', '.join(names)}",
+                    plan=follow.plan,
+                    probability=chance,
+                    minutes=follow.minutes,
+                )
+            )
+        if chance > _SURE and count >= _SHOWN:
+            break
+    best: list[NextMeasurement] = []
+    while left and len(best) < _SHOWN:
+        enough = max(each.probability for each in left) - _AS_GOOD
+        one = min((e for e in left if e.probability >= enough), key=lambda each: each.minutes)
+        best.append(one)
+        left.remove(one)
+    return tuple(best)
 
 
-def _judged(engine: Engine, sets: list[list[Rival]], follow: FollowUp) -> NextMeasurement:
-    both = Problem.of(follow.run)
-    # The response is known from the old rows; the new ones have no outputs yet.
-    both = replace(both, models=engine.problem.models)
-    parts = components_of(both, engine.settings)
-    sizes = engine.floor.sizes.total(parts)
-    space = Space.of(sizes, both.design(), engine.floor.prior)
-    chance = 1.0
-    for members in sets:
-        chance *= chance_of(engine, both.columns, space, members)
-    names = sorted({name for members in sets for one in members for name in one.names})
-    return NextMeasurement(
-        title=follow.title,
-        why=f"{follow.why}; tells apart {', '.join(names)}",
-        plan=follow.plan,
-        probability=chance,
-        minutes=follow.minutes,
-    )
+def _by_length(engine: Engine, ties: tuple[Tie, ...]) -> Iterator[FollowUp]:
+    """Usual series, those chosen for the rivals among them, the shorter first."""
+    run = engine.problem.run
+    usual = followups_of(run)
+    chosen = _chosen(engine, ties)
+    first = next(chosen, None)
+    if first is None or first[1] > _HOPELESS:
+        short = [each for each in usual if each.minutes <= _SHORT_MIN]
+        yield from sorted(short, key=lambda each: each.minutes)
+    long = [each for each in usual if each.minutes > _SHORT_MIN]
+    if first is not None:
+        long += [follow for follow, _ in (first, *chosen)]
+    yield from sorted(long, key=lambda each: each.minutes)
 
 
-def chance_of(
-    engine: Engine,
-    columns: Callable[[Effect, int], FloatArray],
-    space: Space,
-    members: list[Rival],
-) -> float:
-    """Probability that the right one of these rivals ends alone in the rows of a space."""
-    spans: list[FloatArray] = []
-    means: list[FloatArray] = []
-    for member in members:
-        raw = [
-            columns(s.instance.effect, s.instance.channel) for s in member.slots if s.raw.shape[1]
-        ]
-        white = space.rest(np.hstack(raw))
-        spans.append(orthonormal(white))
-        values = _values(engine, member)
-        means.append(space.rest(raw[-1] @ values[:, None])[:, 0])
-    total, weight = 0.0, 0.0
-    for i, mean in enumerate(means):
-        decided = 1.0
-        for j, span in enumerate(spans):
-            if i != j:
-                left = mean - span @ (span.T @ mean)
-                decided = min(decided, _decided(float(left @ left)))
-        total += members[i].weight * decided
-        weight += members[i].weight
-    return total / weight
-
-
-def _values(engine: Engine, member: Rival) -> FloatArray:
-    """Fitted values of a rival's own effect in the data that are there."""
-    others = engine.search.state(member.slots[:-1])
-    rest = engine.search.bank.space.rest(member.slots[-1].raw)
-    rest = rest - others.added @ (others.added.T @ rest)
-    values = np.linalg.lstsq(rest, others.residual, rcond=None)[0]
-    return np.asarray(values, dtype=np.float64)
-
-
-def _decided(distance: float) -> float:
-    """Probability that so many chi-squares of distance put the right name ahead enough."""
-    if distance <= 0.0:
-        return 0.0
-    root = math.sqrt(distance)
-    return 0.5 * (1.0 + math.erf((distance - _NEEDED) / (2.0 * root) / math.sqrt(2.0)))
+def _chosen(engine: Engine, ties: tuple[Tie, ...]) -> Iterator[tuple[FollowUp, float]]:
+    """Series that are chosen for the rivals, with the distance at which they leave them."""
+    run = engine.problem.run
+    if run.test != "dividing_head":
+        return
+    places, longer = everywhere(run)
+    pool = Pool.of(engine, longer, places, ties)
+    if pool.pairs:
+        counts = tuple(count for count in _COUNTS if TIMES * count <= most_rows(run))
+        for some, distance in pool.chosen(counts):
+            yield where_they_differ(run, some), distance

@@ -14,6 +14,9 @@ from core.samples.run import Run
 _MOST = 24
 _SMALL = 150
 """Outputs of a run that may be followed by far more rows than it has."""
+TIMES = 2
+"""How often each place of a series is measured that is chosen for the rivals."""
+_POOL = tuple(5.0 * step for step in range(72))
 _STEP_MIN, _MOUNT_MIN = 0.5, 8.0
 _Place = tuple[str, float]
 
@@ -44,11 +47,51 @@ def followups_of(run: Run) -> tuple[FollowUp, ...]:
     return _on_head(run)
 
 
+def everywhere(run: Run) -> tuple[tuple[_Place, ...], Run]:
+    """All places of the head that a series could be made of, and the run with their rows."""
+    first = run.mount[0]
+    mounts = dict.fromkeys(
+        [_turned(first), _flipped(first), _turned(_flipped(first)), _across(run)]
+    )
+    places = tuple((mount, angle) for mount in mounts for angle in _POOL)
+    return places, _longer(run, list(places))
+
+
+def most_rows(run: Run) -> int:
+    """Rows that a series behind this run may have."""
+    return 10 * _MOST if run.y.size <= _SMALL else 5 * _MOST
+
+
+def where_they_differ(run: Run, places: Sequence[_Place]) -> FollowUp:
+    """A series of chosen places, each mounting by itself, in two orders of its angles.
+
+    What is repeated there tells how much these rows scatter.
+    """
+    order: list[_Place] = []
+    for mount in dict.fromkeys(mount for mount, _ in places):
+        first = _shuffled([angle for where, angle in places if where == mount])
+        order += [(mount, angle) for angle in (*first, *_shuffled(first))]
+    return _follow(
+        run,
+        f"Where they differ most, {len(order)} positions",
+        "angles at which the tied effects read most differently, each twice, in mixed order",
+        order,
+    )
+
+
+def _across(run: Run) -> str:
+    """A mounting with another axis along the shaft than the first."""
+    used = {Mount.parse(mount).axis for mount in run.mount}
+    free = [axis for axis in "ZYX" if axis not in used]
+    return f"{free[0] if free else 'Z'}_from"
+
+
 def _on_head(run: Run) -> tuple[FollowUp, ...]:
     mounts = list(dict.fromkeys(run.mount))
     angles = _sweep(run)
     first = mounts[0]
     mixed = _shuffled(angles)
+    twice = (_turned(first), _flipped(first), "Z_from", _turned(first), _flipped(first))
     found = [
         _follow(run, title, why, [(mount, angle) for mount in chosen for angle in order])
         for title, why, chosen, order in (
@@ -92,20 +135,21 @@ def _on_head(run: Run) -> tuple[FollowUp, ...]:
             (
                 "All mountings twice, mixed",
                 "rig, dial and sensor apart, with half the noise",
-                (_turned(first), _flipped(first), "Z_from", _turned(first), _flipped(first)),
+                twice,
                 _dense(mixed),
-            ),
-            *(
-                (
-                    "All mountings twice, twice as dense",
-                    "rig, dial and sensor apart, and marks between those of the first plan",
-                    (_turned(first), _flipped(first), "Z_from", _turned(first), _flipped(first)),
-                    _shuffled((np.arange(2 * _MOST) * 7.5).tolist()),
-                )
-                for _ in range(run.y.size <= _SMALL)
             ),
         )
     ]
+    if most_rows(run) >= 2 * _MOST * len(twice):
+        finer = _shuffled((np.arange(2 * _MOST) * 7.5).tolist())
+        found.append(
+            _follow(
+                run,
+                "All mountings twice, twice as dense",
+                "rig, dial and sensor apart, and marks between those of the first plan",
+                [(mount, angle) for mount in twice for angle in finer],
+            )
+        )
     return tuple(found)
 
 

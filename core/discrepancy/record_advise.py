@@ -5,55 +5,76 @@ records together must leave the other rivals behind; each record has a bias of i
 a rival explains in one of them nothing may be missing in the other.
 """
 
+import math
+from collections.abc import Callable
+
 import numpy as np
 
 from core.arrays import FloatArray
-from core.discrepancy.advise import Rival, chance_of, tied_sets
+from core.discrepancy.advise import next_of
 from core.discrepancy.engine import Engine
 from core.discrepancy.record_followups import FollowRecord, follow_records
 from core.discrepancy.result import NextMeasurement
-from core.discrepancy.slots import State
-from core.discrepancy.space import Space
-from core.model.effect import Effect
+from core.discrepancy.rivals import Tie, fitted, ties_of
+from core.discrepancy.slots import Slot, State
+from core.discrepancy.space import Space, orthonormal
 
-_SHOWN = 3
-_LEAST = 0.1
+_NEEDED = 14.0
+"""Twice the nats by which one name must lead: three to be alone, four for the choice of shape."""
 
 
 def advise_record(engine: Engine, state: State) -> tuple[NextMeasurement, ...]:
     """Return the records that separate the ambiguity sets best; none where nothing is tied."""
-    sets = tied_sets(engine, state)
-    if not sets:
+    ties = ties_of(engine, state)
+    if not ties:
         return ()
-    found = [_judged(engine, sets, follow) for follow in follow_records(engine.problem)]
-    found = [each for each in found if each.probability > _LEAST]
-    found.sort(key=lambda each: (-round(each.probability, 2), each.minutes))
-    return tuple(found[:_SHOWN])
+    follows = sorted(follow_records(engine.problem), key=lambda each: each.minutes)
+    return next_of(ties, ((each, _chance(engine, each)) for each in follows))
 
 
-def _judged(engine: Engine, sets: list[list[Rival]], follow: FollowRecord) -> NextMeasurement:
+def _chance(engine: Engine, follow: FollowRecord) -> Callable[[Tie], float]:
     rows = follow.measured > 0.0
     sensor = engine.problem.models[0].sensor
-
-    def columns(effect: Effect, channel: int) -> FloatArray:
-        new = effect.columns(follow.stimulus, sensor)[rows]
-        return np.vstack([engine.problem.columns(effect, channel), new])
-
     old = engine.problem.rows
     n = old + int(rows.sum())
     own = (np.arange(n)[:, None] >= old) == np.array([False, True])
     space = Space.of(_covariance(engine, follow), own.astype(np.float64), engine.floor.prior)
-    chance = 1.0
-    for members in sets:
-        chance *= chance_of(engine, columns, space, members)
-    names = sorted({name for members in sets for one in members for name in one.names})
-    return NextMeasurement(
-        title=follow.title,
-        why=f"{follow.why}; tells apart {', '.join(names)}",
-        plan=follow.plan,
-        probability=chance,
-        minutes=follow.minutes,
-    )
+
+    def columns(slot: Slot) -> FloatArray:
+        effect, channel = slot.instance.effect, slot.instance.channel
+        new = effect.columns(follow.stimulus, sensor)[rows]
+        return np.vstack([engine.problem.columns(effect, channel), new])
+
+    def chance(tie: Tie) -> float:
+        """Probability that the right one of these rivals ends alone."""
+        spans: list[FloatArray] = []
+        means: list[FloatArray] = []
+        for member in tie.members:
+            raw = [columns(slot) for slot in member.slots if slot.raw.shape[1]]
+            spans.append(orthonormal(space.rest(np.hstack(raw))))
+            means.append(space.rest((raw[-1] @ fitted(engine, member))[:, None])[:, 0])
+        total, weight = 0.0, 0.0
+        for member, mean in zip(tie.members, means, strict=True):
+            others = [
+                span
+                for span, other in zip(spans, tie.members, strict=True)
+                if other.name != member.name
+            ]
+            left = [mean - span @ (span.T @ mean) for span in others]
+            decided = min((_decided(float(one @ one)) for one in left), default=1.0)
+            total += member.weight * decided
+            weight += member.weight
+        return total / weight
+
+    return chance
+
+
+def _decided(distance: float) -> float:
+    """Probability that so many chi-squares of distance put the right name ahead enough."""
+    if distance <= 0.0:
+        return 0.0
+    root = math.sqrt(distance)
+    return 0.5 * (1.0 + math.erf((distance - _NEEDED) / (2.0 * root) / math.sqrt(2.0)))
 
 
 def _covariance(engine: Engine, follow: FollowRecord) -> FloatArray:

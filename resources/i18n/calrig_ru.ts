@@ -10786,8 +10786,8 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/followups.py" />
-            <source>angles at which the tied effects read most differently, in mixed order</source>
-            <translation>углы, при которых неразличимые эффекты дают самые разные показания, в смешанном порядке</translation>
+            <source>angles at which the tied effects read most differently, each twice, in mixed order</source>
+            <translation>углы, при которых неразличимые эффекты дают самые разные показания, каждый дважды, в смешанном порядке</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/followups.py" />

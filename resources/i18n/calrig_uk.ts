@@ -10786,8 +10786,8 @@ Without a command the window opens.</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/followups.py" />
-            <source>angles at which the tied effects read most differently, in mixed order</source>
-            <translation>кути, за яких нерозрізнені ефекти дають найрізніші покази, у змішаному порядку</translation>
+            <source>angles at which the tied effects read most differently, each twice, in mixed order</source>
+            <translation>кути, за яких нерозрізнені ефекти дають найрізніші покази, кожен двічі, у змішаному порядку</translation>
         </message>
         <message>
             <location filename="../../core/discrepancy/followups.py" />
