@@ -12,7 +12,7 @@ from core.units import PPM, RAD_PER_ARCSEC
 _ACCUMULATED, _GUESSED = 0.25, 1.0
 _CERTIFICATE = 0.45
 _DRIFTING = 0.55
-_FAST, _SLOW = 1.0 / 40.0, 1.0 / 6.0
+_FAST, _SLOW = 1.0 / 40.0, 1.0 / 3.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)

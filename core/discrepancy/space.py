@@ -69,6 +69,15 @@ def orthonormal(columns: FloatArray) -> FloatArray:
     return left[:, singular > 1e-6 * singular[0]]
 
 
+def solved(design: FloatArray, y: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Least-squares values (p,) of whitened columns, and their covariance (p, p)."""
+    size = np.linalg.norm(design, axis=0)
+    size = np.where(size > 0.0, size, 1.0)
+    inverse = np.linalg.pinv(design / size, rcond=1e-10)
+    inner = inverse @ inverse.T
+    return inverse @ y / size, inner / np.outer(size, size)
+
+
 def _solve(chol: FloatArray, columns: FloatArray) -> FloatArray:
     from scipy.linalg import solve_triangular
 

@@ -13,9 +13,13 @@ from core.discrepancy.result import UNKNOWN, Candidate, Fitted, Gap, Step
 from core.discrepancy.search import Scored, ranking
 from core.discrepancy.sets import Rivals, rivals_of
 from core.discrepancy.slots import Slot, State
+from core.discrepancy.space import solved
+from core.discrepancy.views import spread_of
 from core.model.catalogue.listing import CATALOGUE
 
 _SHOWN = 8
+_LEAST = 0.9
+"""Part of the spread under one floor below which that under all of them does not go."""
 
 
 def steps_of(engine: Engine, state: State, by_hand: int) -> tuple[Step, ...]:
@@ -110,20 +114,23 @@ def fit_slots(engine: Engine, state: State) -> list[FittedSlot]:
     change = sum((slot.change for slot in state.slots), np.zeros(len(problem.y)))
     y = space.white(problem.y + change)
     design = np.hstack(blocks)
-    values, _ = _solved(space.white(design), y)
+    values, _ = solved(space.white(design), y)
     starts = np.cumsum([block.shape[1] for block in blocks])
     extra = [
         _shape_slope(engine, slot, values[starts[i] : starts[i] + slot.raw.shape[1]])
         for i, slot in enumerate(state.slots)
     ]
     wide = np.hstack([design, *[e for e in extra if e is not None]])
-    _, covariance = _solved(space.white(wide), y)
+    _, covariance = solved(space.white(wide), y)
     dof = space.dof - state.added.shape[1]
     # A lucky draw of the noise makes no parameter surer than the floor does; the spread of
     # Student's form is that of a floor which is known from so many degrees of freedom alone.
     known = max(space.prior + dof, 3.0)
     level = max((space.prior + state.rss) / known, 1.0) * known / (known - 2.0)
     u = np.sqrt(np.maximum(np.diag(covariance)[:count] * level, 0.0))
+    if engine.search.views:
+        outputs = problem.y + change
+        u = np.maximum(spread_of(engine.search.views, outputs, design, wide, values), _LEAST * u)
     found: list[FittedSlot] = []
     for i, slot in enumerate(state.slots):
         own = slice(int(starts[i]), int(starts[i]) + slot.raw.shape[1])
@@ -225,14 +232,6 @@ def _step(
         ),
         added_by_hand=by_hand,
     )
-
-
-def _solved(design: FloatArray, y: FloatArray) -> tuple[FloatArray, FloatArray]:
-    size = np.linalg.norm(design, axis=0)
-    size = np.where(size > 0.0, size, 1.0)
-    inverse = np.linalg.pinv(design / size, rcond=1e-10)
-    inner = inverse @ inverse.T
-    return inverse @ y / size, inner / np.outer(size, size)
 
 
 def _shape_slope(engine: Engine, slot: Slot, values: FloatArray) -> FloatArray | None:

@@ -20,12 +20,12 @@ from core.discrepancy.problem import Problem
 from core.discrepancy.relabels import Relabels
 from core.discrepancy.reml import prior_of
 from core.discrepancy.slots import State, state_of
-from core.discrepancy.space import Space
+from core.discrepancy.space import Space, solved
 
 _SEED = 1763
 _WORK = 1400
-_MOST, _LEAST = 16, 10
-_MOST_ROWS = 160
+_MOST, _LEAST = 16, 7
+_MOST_ROWS = 250
 """Outputs beyond which replicates tell the sizes well enough."""
 _WIDER = 1.4
 """How much further the sizes are sampled than they are likely to go."""
@@ -87,6 +87,36 @@ def views_of(
         weight = importance - _volume(space, design)
         found.append(View(bank.in_space(space), relabels.in_space(space), curves, weight))
     return tuple(found)
+
+
+def spread_of(
+    views: tuple[View, ...],
+    outputs: FloatArray,
+    design: FloatArray,
+    wide: FloatArray,
+    values: FloatArray,
+) -> FloatArray:
+    """Standard uncertainty (p,) of values that were found under one choice of sizes.
+
+    Parameters
+    ----------
+    outputs : (n,)
+    design, values : (n, p), (p,) all columns and what was found for them
+    wide : (n, q) the same columns, and slopes of their shapes behind them
+    """
+    squares, heard = list[FloatArray](), list[float]()
+    for view in views:
+        space = view.bank.space
+        white, y = space.white(design), space.white(outputs)
+        there, _ = solved(white, y)
+        _, covariance = solved(space.white(wide), y)
+        rss = float(np.sum((y - white @ there) ** 2))
+        known = space.prior + len(y) - design.shape[1]
+        variance = np.diag(covariance)[: len(values)] * (space.prior + rss) / (known - 2.0)
+        squares.append(np.maximum(variance, 0.0) + (there - values) ** 2)
+        heard.append(float(view.heard(rss)))
+    weights = np.exp(np.array(heard) - max(heard))
+    return np.sqrt(weights @ np.array(squares) / weights.sum())
 
 
 def _volume(space: Space, design: FloatArray) -> float:
