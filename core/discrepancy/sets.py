@@ -5,10 +5,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.discrepancy.engine import Engine
+from core.discrepancy.result import UNKNOWN
 from core.discrepancy.search import Scored, ranking
 from core.discrepancy.slots import State
 
-_TIE = 4.0
+_TIE, _TIE_UNKNOWN = 4.0, 3.0
+"""Nats within which a name stays in the set, 1 : 50; and what has no name, 1 : 20."""
 _FAST, _FOLDED_ONTO = "head_periodic_error", ("head_eccentricity", "head_ellipticity")
 """On few equal steps a fast error of the dial has the columns of a slow one and none of its own."""
 
@@ -53,7 +55,11 @@ def rivals_of(engine: Engine, state: State, place: int) -> Rivals:
     own = next((item for item in ranked if item[0] == slot.name), ranked[0])
     # A twin of the step gets evidence for nothing but its name: one of many places has less.
     top = max(evidence, ranked[0][1].evidence)
-    tied = [name for name, one, _ in ranked if one.evidence > top - _TIE and name != slot.name]
+    tied = [
+        name
+        for name, one, _ in ranked
+        if name != slot.name and one.evidence > top - (_TIE_UNKNOWN if name == UNKNOWN else _TIE)
+    ]
     # A whole number of degrees tells a wrong angle from all that merely looks like it.
     told = slot.instance.effect.step > 0.0 and search.whole(slot, others) > 0.0
     twins = () if told else aliases(engine, state, place)

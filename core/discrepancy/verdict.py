@@ -47,7 +47,7 @@ class Limits:
 
 
 USUAL = Limits()
-ROWS = Limits(excess_p=0.015, excess_gap=1.25, left_over=0.12, every=True)
+ROWS = Limits(excess_p=0.015, excess_gap=1.25, left_over=0.05, every=True)
 """Of accumulated rows, whose floor is stated by the certificates and seldom too small."""
 
 
