@@ -52,7 +52,7 @@ def test_views_that_leave_too_much_or_too_little_are_not_heard():
 
 
 def test_many_rows_need_one_floor_only():
-    problem = Problem.of(head_run(rows=[*APART, *APART, *APART]))
+    problem = Problem.of(head_run(rows=[*APART, *APART, *APART, *APART]))
     assert seen(problem) == ()
 
 
