@@ -110,6 +110,8 @@ class CrossAxisSquare(Effect):
     kind = Kind.BLOCK
     tests = HEAD
     sensors = ("accelerometer",)
+    # The cross axis of one sensor of a unit is the own axis of another.
+    alone = True
     seen_as = "the bias depends on which cross axis is vertical"
     remedy = "calibrate with the square of the cross axis; mount another axis along the shaft"
     confused_with = ("second_order_nonlinearity", "head_eccentricity")

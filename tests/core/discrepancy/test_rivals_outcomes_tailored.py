@@ -10,9 +10,10 @@ from core.discrepancy.followups import everywhere, followups_of, where_they_diff
 from core.discrepancy.ladder import Ladder
 from core.discrepancy.outcomes import Outlook
 from core.discrepancy.rivals import Tie, ties_of
+from core.discrepancy.sets import aliases
 from core.discrepancy.tailored import Pool
 from core.plans.orientation import Mount
-from tests.core.discrepancy.hidden import K, felt, head_run
+from tests.core.discrepancy.hidden import FORTY_EIGHT, K, felt, head_run
 
 ONE = [(run, "X_from", angle) for run in (1, 2) for angle in np.arange(0.0, 360.0, 15.0)]
 FOUR = [(1, mount, 90.0 * step) for mount in ("X_from", "Y_from") for step in range(4)]
@@ -70,6 +71,18 @@ def test_a_fast_error_of_the_dial_stands_as_a_rival_where_it_folds_onto_a_slow_o
     }
     assert chances["All mountings, mixed"] > 0.95
     assert chances["All mountings, mixed"] > chances["Back to the first mounting"] + 0.1
+
+
+def test_the_square_of_the_own_axis_is_no_cross_axis_of_another_output_of_a_triad():
+    """Else no plan could ever tell the two names apart."""
+    a = np.array([felt(mount, angle) for _, mount, angle in FORTY_EIGHT])
+    noise = 25e-6 * np.random.default_rng(6).standard_normal(a.shape)
+    y = K * (a + noise + 4e-4 * np.column_stack([0.0 * a[:, 0], a[:, 1] ** 2, 0.0 * a[:, 2]]))
+    axes = ("x", "y", "z")
+    base = head_run(rows=FORTY_EIGHT)
+    run = replace(base, y=y, y_se=np.full(y.shape, K * 25e-6), channels=axes, axes=axes)
+    ladder = Ladder.of(run).with_effect("second_order_nonlinearity")
+    assert "cross_axis_nonlinearity" not in aliases(ladder.engine, ladder.state, 0)
 
 
 def test_more_and_better_rows_raise_the_chance_and_the_same_again_hardly_does(cubic: Ladder):
