@@ -11,6 +11,8 @@ from core.discrepancy.slots import State
 
 _KNOTS = 60
 _LEVEL = 0.95
+_EDGE = 0.05
+"""Share of the simulated noise beyond which its tail is a law, no count."""
 
 
 def locate(engine: Engine, state: State) -> tuple[Where, ...]:
@@ -29,9 +31,8 @@ def locate(engine: Engine, state: State) -> tuple[Where, ...]:
     observed = np.array([float(c.evidence(state.residual, space)) for c in curves])
     null = np.array([c.evidence(nulls, space) for c in curves])
     count = null.shape[1]
-    own = (1.0 + np.sum(null >= observed[:, None], axis=1)) / (1.0 + count)
-    ranks = np.argsort(np.argsort(-null, axis=1), axis=1)
-    smallest = (1.0 + ranks).min(axis=0) / (1.0 + count)
+    own = _chances(null, observed[:, None])[:, 0]
+    smallest = _chances(null, null).min(axis=0)
     adjusted = [(1.0 + float(np.sum(smallest <= p))) / (1.0 + count) for p in own]
     raw, raw_nulls = space.chol @ state.residual, space.chol @ nulls
     found = [
@@ -43,6 +44,22 @@ def locate(engine: Engine, state: State) -> tuple[Where, ...]:
         # A smooth and a local curve of the same regressor: the more significant is shown.
         by_name.setdefault(found[int(place)].regressor, found[int(place)])
     return tuple(by_name.values())
+
+
+def _chances(null: FloatArray, values: FloatArray) -> FloatArray:
+    """Probability (k, m) of so much evidence in noise, from that (k, j) of simulated noise.
+
+    Beyond all noise that was simulated it falls as fast as noise may favour a hypothesis at most
+    (Markov): else of many regressors one always seems to be the first in some noise.
+    """
+    count = null.shape[1]
+    ordered = np.sort(null, axis=1)
+    edge = ordered[:, [int((1.0 - _EDGE) * count)]]
+    below = np.zeros(values.shape)
+    for place, (row, one) in enumerate(zip(ordered, values, strict=True)):
+        below[place] = np.searchsorted(row, one)
+    share = (1.0 + count - below) / (1.0 + count)
+    return np.where(values > edge, _EDGE * np.exp(np.minimum(edge - values, 0.0)), share)
 
 
 def _where(

@@ -205,10 +205,14 @@ def ended(search: Search, sets: list[NameSet]) -> tuple[NameSet, Scored | None, 
     Names that explain nearly as much as unknown structure in their place are told, in doubt.
     """
     left = [search.unknown(one.state) for one in sets]
-    # What a set leaves speaks against it, though it may be too little to be told.
-    told = max(
-        zip(sets, left, strict=True), key=lambda one: one[0].worth - max(one[1].evidence, 0.0)
-    )[0]
+    # What a set leaves speaks against it, though it may be too little to be told; never does it
+    # speak for names where nothing at all is likelier.
+    near = [
+        (one.worth - max(score.evidence, 0.0), place)
+        for place, (one, score) in enumerate(zip(sets, left, strict=True))
+        if one.worth > sets[0].worth - NEAR
+    ]
+    told = sets[max(near)[1]] if sets[0].names else sets[0]
     best, end, top = told, None, sets[0].worth
     for one, score in zip(sets, left, strict=True):
         total = one.worth + score.evidence - search.threshold

@@ -16,6 +16,8 @@ _ROUNDS = 8
 _CLIP = 3.0
 _FEWEST = 4
 _TOGETHER = 0.7
+_FREE = 0.2
+"""Part of a row's residual that its replicates must leave free for it to be looked at."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -96,7 +98,7 @@ def find_sizes(parts: tuple[Component, ...], y: FloatArray, nuisance: FloatArray
     if contrasts.shape[1] < _FEWEST:
         return stated_sizes(parts)
     precision = np.linalg.inv(prior_of(parts))
-    u = contrasts.T @ _winsorised(contrasts @ (contrasts.T @ y))
+    u = contrasts.T @ _winsorised(contrasts @ (contrasts.T @ y), contrasts)
     matrices = [contrasts.T @ part.matrix @ contrasts for part in parts]
     log = np.zeros(len(parts))
     curvature = precision
@@ -131,6 +133,9 @@ def _complement(columns: FloatArray) -> FloatArray:
     return left[:, rank:]
 
 
-def _winsorised(residual: FloatArray) -> FloatArray:
-    limit = _CLIP * 1.4826 * float(np.median(np.abs(residual)))
-    return np.clip(residual, -limit, limit) if limit > 0.0 else residual
+def _winsorised(residual: FloatArray, contrasts: FloatArray) -> FloatArray:
+    """Residuals (n,) without what stands out; rows that no replicate contradicts say nothing."""
+    free = np.sqrt(np.sum(contrasts**2, axis=1))
+    told = free > _FREE
+    limit = _CLIP * 1.4826 * float(np.median(np.abs(residual[told] / free[told])))
+    return np.clip(residual, -limit * free, limit * free) if limit > 0.0 else residual

@@ -8,6 +8,7 @@ from core.discrepancy.engine import Engine
 from core.discrepancy.result import UNKNOWN
 from core.discrepancy.search import Scored, ranking
 from core.discrepancy.slots import State
+from core.discrepancy.space import orthonormal
 
 _TIE, _TIE_UNKNOWN = 4.0, 3.0
 """Nats within which a name stays in the set, 1 : 50; and what has no name, 1 : 20."""
@@ -83,7 +84,7 @@ def aliases(engine: Engine, state: State, place: int) -> tuple[str, ...]:
     others = search.state((*state.slots[:place], *state.slots[place + 1 :]))
     rest = search.bank.space.rest(slot.raw)
     rest = rest - others.added @ (others.added.T @ rest)
-    left = np.linalg.qr(rest)[0]
+    left = orthonormal(rest)
     fitted = left @ (left.T @ others.residual)
     explained, _ = search.bank.explained(fitted, others.added)
     same = explained > _ALIAS * float(fitted @ fitted)

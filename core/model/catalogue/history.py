@@ -84,6 +84,7 @@ class SettlingLag(Effect):
     Parameters
     ----------
     memory : which rows come from the row before them, see `terms.previous`
+    part : missing part for which the column is right; the row before is late itself
     """
 
     id = "settling_lag"
@@ -99,17 +100,27 @@ class SettlingLag(Effect):
     confused_with = ("hysteresis", "short_accumulation")
     typical = {"accelerometer": 0.1, "gyro": 0.1}  # noqa: RUF012
 
-    def __init__(self, memory: str = "mounting") -> None:
-        self._memory = memory
+    def __init__(self, memory: str = "mounting", *, part: float = 0.0) -> None:
+        self._memory, self._part = memory, part
 
     def parameters(self, sensor: Sensor) -> tuple[Parameter, ...]:
         """One: the missing part, %."""
         return (Parameter("lag", "rho", "%"),)
 
     def columns(self, stimulus: Stimulus, sensor: Sensor) -> FloatArray:
-        """The step back to the row before."""
+        """The step back to what the row before has reached."""
         u = ideal(stimulus, sensor)
-        return column(0.01 * (u[previous(stimulus, self._memory)] - u))
+        before = previous(stimulus, self._memory)
+        reached = u.copy()
+        for row, came_from in enumerate(before):
+            reached[row] += self._part * (reached[came_from] - u[row])
+        return column(0.01 * (reached[before] - u))
+
+    def at(self, values: FloatArray) -> Effect:
+        """The missing part of one sensor in rows that are late themselves."""
+        if len(values) > 1:
+            return self
+        return SettlingLag(self._memory, part=float(np.clip(0.01 * values[0], -0.5, 0.5)))
 
     def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
         """With all memories."""

@@ -10,6 +10,7 @@ from core.discrepancy.curves import Regressor
 from core.discrepancy.engine import Engine
 from core.discrepancy.features import Features, features_of, unnamed
 from core.discrepancy.floor import Floor
+from core.discrepancy.locate import locate
 from core.discrepancy.problem import Problem
 from core.discrepancy.settings import Settings
 from tests.core.discrepancy.hidden import FORTY_EIGHT, NOTHING, Hidden, head_run, table_run
@@ -49,6 +50,13 @@ def test_the_same_in_the_rate(hidden: Callable[[np.ndarray], np.ndarray]):
     assert state.slots == ()
     assert unknown is not None
     assert engine.regressors[unknown.regressor].name == "set_rate_dps"
+
+
+def test_what_nobody_could_take_for_noise_has_a_p_value_that_says_so():
+    """However many regressors there are, and however few draws of noise."""
+    engine = asked(lambda q: 6e-4 * np.exp(-0.5 * ((q.a[:, 2] - 0.2) / 0.15) ** 2))
+    first = locate(engine, engine.search.state(()))[0]
+    assert first.p_value < 0.005
 
 
 def test_what_a_name_explains_is_no_feature():

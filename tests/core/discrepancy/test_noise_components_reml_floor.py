@@ -10,7 +10,7 @@ from core.discrepancy.floor import Floor
 from core.discrepancy.problem import Problem
 from core.discrepancy.reml import find_sizes
 from core.discrepancy.settings import Settings
-from tests.core.discrepancy.hidden import APART, ARCSEC, WHITE, K, head_run, table_run
+from tests.core.discrepancy.hidden import APART, ARCSEC, FORTY_EIGHT, WHITE, K, head_run, table_run
 
 SETTINGS = Settings()
 
@@ -90,3 +90,13 @@ def test_simulated_noise_has_the_covariance_that_was_found():
     nulls = np.hstack([floor.nulls(space, np.random.default_rng(seed)) for seed in range(5)])
     assert np.mean(np.sum(nulls**2, axis=0)) == pytest.approx(space.dof, rel=0.35)
     assert np.max(np.abs(space.basis.T @ nulls)) < 1e-9
+
+
+def test_rows_without_a_replicate_do_not_make_the_noise_small():
+    """What no replicate contradicts has no residual; it must not set the limit for the others."""
+    once = [(3, "Z_from", angle) for angle in np.arange(0.0, 360.0, 3.0)]
+    found = [
+        ratios(Problem.of(head_run(rows=[*FORTY_EIGHT, *once], seed=seed))) for seed in range(6)
+    ]
+    assert np.mean([each["white"] for each in found]) == pytest.approx(1.0, abs=0.2)
+    assert np.mean([each["setting"] for each in found]) > 0.6

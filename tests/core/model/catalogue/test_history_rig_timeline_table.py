@@ -126,6 +126,15 @@ def test_lag_is_the_missing_part_of_the_step():
     assert found[4] == 0.0
 
 
+def test_a_large_lag_counts_from_what_the_row_before_has_reached():
+    u = A @ Z.sensitivity
+    reached = u.copy()
+    for row in range(1, N):
+        reached[row] = u[row] + 0.1 * (reached[row - 1] - u[row])
+    found = SettlingLag("all").at(np.array([10.0])).columns(ON_HEAD, Z)[:, 0]
+    assert 10.0 * found == pytest.approx(reached - u)
+
+
 def test_time_and_temperature():
     assert CATALOGUE["bias_drift"].columns(ON_HEAD, Z)[:, 0] == pytest.approx(1e-3 * T / 3600.0)
     warm = ON_HEAD.column("temperature_c") - ON_HEAD.column("temperature_c").mean()
