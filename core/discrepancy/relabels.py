@@ -69,6 +69,7 @@ class Relabels:
     changes : (n, m) what each adds to the outputs
     exchange : the effect whose pairs of rows are tried; None where there is none
     pairs : (k, 2) the pairs
+    moved : (n, m) the same whitened, without the plain model
     identity : (n, n) whitened rows without the plain model
     inner : (n, n) products of its columns
     """
@@ -80,6 +81,7 @@ class Relabels:
     changes: FloatArray
     exchange: Effect | None
     pairs: IntArray
+    moved: FloatArray
     identity: FloatArray
     inner: FloatArray
 
@@ -99,6 +101,7 @@ class Relabels:
             changes=np.column_stack(changes) if changes else np.zeros((n, 0)),
             exchange=exchange,
             pairs=none if exchange is None else exchange.exchanges(problem.stimulus),
+            moved=np.zeros((n, 0)),
             identity=np.zeros((n, n)),
             inner=np.zeros((n, n)),
         ).in_space(space)
@@ -106,7 +109,9 @@ class Relabels:
     def in_space(self, space: Space) -> "Relabels":
         """The same changes under another noise."""
         identity = space.rest(np.eye(len(self.problem.y)))
-        return replace(self, space=space, identity=identity, inner=identity.T @ identity)
+        moved = space.rest(self.changes)
+        inner = identity.T @ identity
+        return replace(self, space=space, moved=moved, identity=identity, inner=inner)
 
     @property
     def all_names(self) -> tuple[str, ...]:
@@ -117,8 +122,8 @@ class Relabels:
     def evidence(self, state: State) -> FloatArray:
         """Evidence (m + k,) of each relabelling and of the exchange of each pair."""
         dof = self.space.dof - state.added.shape[1]
-        moved = self.space.rest(self.changes)
-        moved = state.residual[:, None] + moved - state.added @ (state.added.T @ moved)
+        moved = self.moved - state.added @ (state.added.T @ self.moved)
+        moved = state.residual[:, None] + moved
         after = np.sum(moved**2, axis=0)
         if self.exchange is not None and len(self.pairs):
             after = np.concatenate([after, self._exchanged(state)])

@@ -122,12 +122,7 @@ def separate(glass: Glass, found: Effects) -> bool:
     if len(found) == 1:
         return True
     seen = np.stack([glass.change({name: hidden}) for name, hidden in found.items()], axis=1)
-    for i in range(seen.shape[1]):
-        others = severity.orthonormal(np.delete(seen, i, axis=1))
-        rest = seen[:, i] - others @ (others.T @ seen[:, i])
-        if np.linalg.norm(rest) < 0.6 * np.linalg.norm(seen[:, i]):
-            return False
-    return True
+    return severity.apart(seen)
 
 
 def hide_foreign(spec: Spec, glass: Glass, rng: np.random.Generator) -> Effects | None:

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from tests.blind import long_record, run_file
+from tests.blind import long_record, run_file, severity
 from tests.blind.cases import FOREIGN, Spec, packed, streams, unpacked, vars_of
 from tests.blind.long_record import Record
 from tests.blind.outside import OUTSIDE
@@ -46,6 +46,17 @@ def hide(spec: Spec, record: Record, rng: np.random.Generator) -> Effects:
     return found
 
 
+def separate(record: Record, factor: np.ndarray, hidden: Effects) -> bool:
+    """Whether each of several effects stays visible when the others are known, as in runs."""
+    seen = [
+        long_record.visible(
+            record, factor, effect.size * long_record.form(name, effect.shape, record)
+        )
+        for name, effect in hidden.items()
+    ]
+    return apart(np.stack(seen, axis=1))
+
+
 def draw_record(spec: Spec, known: dict[str, Any] | None = None) -> RecordCase | None:
     unit, shapes, air, _ = streams(spec.seed)
     record = long_record.record_of(plan_of(spec.plan, unit), unit, spec.kind == "coloured")
@@ -54,6 +65,8 @@ def draw_record(spec: Spec, known: dict[str, Any] | None = None) -> RecordCase |
         return RecordCase(spec, record, hidden, long_record.measure(record, hidden, air), known)
     hidden = hide(spec, record, shapes)
     factor = long_record.whitener(record)
+    if spec.kind in ("double", "triple") and not separate(record, factor, hidden):
+        return None
     parts = {}
     for name, effect in hidden.items():
         parts[name] = {"size": effect.size, "shape": packed(effect.shape), "lambda": spec.lam}

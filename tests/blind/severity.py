@@ -19,6 +19,8 @@ DUST = 1e-4
 """Sigmas below which a thousandth of an effect's largest size counts as invisible."""
 WHOLE = 1000.0
 """Columns are made at a thousandth of an effect's largest size."""
+APART = 0.6
+"""Part of an effect that must stay visible when those hidden beside it are known."""
 CLASS = 2.0
 """An effect that leaves less than this many sigmas of another one is its equal."""
 
@@ -110,6 +112,16 @@ def sized(
         low, high = (guess, high) if found < wanted else (low, guess)
         guess = guess * wanted / found if found > 0.0 else 0.5 * (low + high)
     return None
+
+
+def apart(seen: np.ndarray) -> bool:
+    """Whether each of several visible changes (n, k) stays visible when the others are known."""
+    for i in range(seen.shape[1]):
+        others = orthonormal(np.delete(seen, i, axis=1))
+        rest = seen[:, i] - others @ (others.T @ seen[:, i])
+        if np.linalg.norm(rest) < APART * np.linalg.norm(seen[:, i]):
+            return False
+    return True
 
 
 def blocks(glass: Glass, name: str, kind: Kind) -> list[np.ndarray]:

@@ -133,6 +133,12 @@ def test_every_effect_gets_its_lambda_or_is_left_out(plan: str):
     assert left_out == []
 
 
+def test_effects_that_hide_each_other_are_not_hidden_together():
+    one, other = np.eye(5)[:, 0], np.eye(5)[:, 1]
+    assert severity.apart(np.stack([one, other], axis=1))
+    assert not severity.apart(np.stack([one, one + 0.3 * other], axis=1))
+
+
 @pytest.mark.parametrize("sign", [1.0, -1.0])
 def test_a_wrong_angle_at_a_cardinal_position_gets_its_lambda_with_its_sign(sign: float):
     world = unit("A80")
