@@ -48,13 +48,9 @@ def hide(spec: Spec, record: Record, rng: np.random.Generator) -> Effects:
 
 def separate(record: Record, factor: np.ndarray, hidden: Effects) -> bool:
     """Whether each of several effects stays visible when the others are known, as in runs."""
-    seen = [
-        long_record.visible(
-            record, factor, effect.size * long_record.form(name, effect.shape, record)
-        )
-        for name, effect in hidden.items()
-    ]
-    return apart(np.stack(seen, axis=1))
+    values = [e.size * long_record.form(name, e.shape, record) for name, e in hidden.items()]
+    seen = [long_record.visible(record, factor, one) for one in values]
+    return severity.apart(np.stack(seen, axis=1))
 
 
 def draw_record(spec: Spec, known: dict[str, Any] | None = None) -> RecordCase | None:
