@@ -5,6 +5,8 @@ import numpy as np
 from core.arrays import FloatArray
 
 _STIFFNESS = np.geomspace(1e-3, 1e7, 21)
+_FEWEST = 12
+"""Rows below which cross-validation cannot tell rounding from a step between two mountings."""
 
 
 def smoothed(values: FloatArray) -> FloatArray:
@@ -14,7 +16,7 @@ def smoothed(values: FloatArray) -> FloatArray:
     temperature behind it. Whittaker's smoother, diagonal in cosines (Eilers 2003; Garcia 2010).
     """
     n = len(values)
-    if n < 8 or np.ptp(values) == 0.0:
+    if n < _FEWEST or np.ptp(values) == 0.0:
         return values
     k = np.arange(n)
     basis = np.sqrt(2.0 / n) * np.cos(np.pi * np.outer(k, k + 0.5) / n)

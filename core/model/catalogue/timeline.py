@@ -189,8 +189,8 @@ class BiasJump(Effect):
         return column(small_gain(sensor) * after)
 
     def instances(self, stimulus: Stimulus, sensor: Sensor) -> tuple[Effect, ...]:
-        """After every row but the outermost."""
-        return tuple(BiasJump(row) for row in range(2, len(stimulus) - 1))
+        """After every row; after the first, or before the last, it looks like one bad row."""
+        return tuple(BiasJump(row) for row in range(1, len(stimulus)))
 
 
 class _OfRuns(Effect):

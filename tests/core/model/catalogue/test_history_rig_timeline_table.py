@@ -143,7 +143,7 @@ def test_time_and_temperature():
     assert scale == pytest.approx(1e-6 * warm * (C - 0.02 * S))
     assert WarmUp(2.0).columns(ON_HEAD, Z)[2, 0] == pytest.approx(1e-3 * np.exp(-1.0))
     assert BiasJump(5).columns(ON_HEAD, Z)[:, 0] == pytest.approx(1e-3 * (np.arange(N) >= 5))
-    assert len(BiasJump().instances(ON_HEAD, Z)) == N - 3
+    assert len(BiasJump().instances(ON_HEAD, Z)) == N - 1
     assert [one.shape[0][1] for one in RunBias().instances(ON_HEAD, Z)] == [1.0, 2.0]
     assert RunBias(1.0).instances(ON_TABLE, GYRO) == ()
     line = Pickup(2.0).columns(ON_HEAD, Z)
