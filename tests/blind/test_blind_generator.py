@@ -145,6 +145,7 @@ def test_a_wrong_angle_at_a_cardinal_position_gets_its_lambda_with_its_sign(sign
     glass = Glass(world)
     row = int(np.flatnonzero(world.plan.setting % 90.0 == 0.0)[2])
     size = severity.sized(glass, "wrong_angle", {"row": row}, 0.2, 12.0, sign)
+    assert size is not None
     seen = glass.visibility("wrong_angle", Hidden(sign * size, {"row": row}))
     assert seen == pytest.approx(12.0, rel=2e-3)
 

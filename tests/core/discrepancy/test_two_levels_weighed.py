@@ -134,7 +134,7 @@ def test_left_over_structure_puts_every_name_in_doubt_that_does_not_stand_out_by
     story = Ladder.of(run, QUICK).found().explanation
     weak = [replace(step, evidence=30.0, indistinguishable_from=()) for step in story.steps]
     steps = (replace(weak[0], evidence=90.0), *weak)
-    left = tuple(replace(where, p_value=0.1) for where in story.where)
+    left = tuple(replace(where, p_value=0.03) for where in story.where)
 
     def doubtful(limits: Limits, where: tuple[Where, ...] = left) -> list[bool]:
         found = doubted(steps, story.noise, where, 0.01, limits)
